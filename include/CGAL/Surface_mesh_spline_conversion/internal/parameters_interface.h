@@ -1,0 +1,29 @@
+// Copyright (c) 2026 the authors of the package Surface_mesh_spline_conversion.
+// All rights reserved.
+//
+// This file is part of the package Surface_mesh_spline_conversion, which is being
+// prepared for submission to CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// X-macro list; no include guard on purpose. It has the form of
+// CGAL/STL_Extension/internal/parameters_interface.h, where the first block moves at merge time.
+
+// new named parameters of this package
+#ifdef CGAL_add_named_parameter
+CGAL_add_named_parameter(boundary_tolerance_t, boundary_tolerance, boundary_tolerance)
+CGAL_add_named_parameter(interior_tolerance_t, interior_tolerance, interior_tolerance)
+CGAL_add_named_parameter(quad_size_map_t, quad_size_map, quad_size_map)
+CGAL_add_named_parameter(corner_angle_t, corner_angle, corner_angle)
+CGAL_add_named_parameter(error_metric_t, error_metric, error_metric)
+CGAL_add_named_parameter(maximum_number_of_patches_t, maximum_number_of_patches, maximum_number_of_patches)
+#endif
+
+// parameters that CGAL already has and that this package accepts
+#ifdef CGAL_add_existing_named_parameter
+CGAL_add_existing_named_parameter(vertex_point_t, vertex_point_map)
+CGAL_add_existing_named_parameter(geom_traits_t, geom_traits)
+CGAL_add_existing_named_parameter(visitor_t, visitor)
+CGAL_add_existing_named_parameter(verbose_t, verbose)
+CGAL_add_existing_named_parameter(number_of_iterations_t, number_of_iterations)
+#endif
