@@ -1,0 +1,223 @@
+// Copyright (c) 2026 the authors of the package Surface_mesh_spline_conversion.
+// All rights reserved.
+//
+// This file is part of the package Surface_mesh_spline_conversion, which is being
+// prepared for submission to CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+#ifndef CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_CONVERSION_CONVERTER_H
+#define CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_CONVERSION_CONVERTER_H
+
+#include <CGAL/license/Surface_mesh_spline_conversion.h>
+
+#include <CGAL/Surface_mesh_spline_conversion/Boundary_curve_network_3.h>
+#include <CGAL/Surface_mesh_spline_conversion/Conversion_report.h>
+#include <CGAL/Surface_mesh_spline_conversion/Error_code.h>
+#include <CGAL/Surface_mesh_spline_conversion/Quad_layout.h>
+#include <CGAL/Surface_mesh_spline_conversion/Transfinite_patch_network_3.h>
+#include <CGAL/Surface_mesh_spline_conversion/compute_cross_field.h>
+#include <CGAL/Surface_mesh_spline_conversion/compute_integer_grid_map.h>
+#include <CGAL/Surface_mesh_spline_conversion/extract_quad_layout.h>
+#include <CGAL/Surface_mesh_spline_conversion/fit_boundary.h>
+#include <CGAL/Surface_mesh_spline_conversion/fit_interior.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/conversion/Mesh_component.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/conversion/conversion_options.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/conversion/merge_reports.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/named_parameters.h>
+#include <CGAL/Surface_mesh_spline_conversion/measure_deviation.h>
+
+#include <CGAL/Real_timer.h>
+#include <CGAL/T_NURCC_surface_3.h>
+#include <CGAL/boost/graph/helpers.h>
+
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_spline_conversion {
+namespace internal {
+
+// Runs the stages of the conversion on one connected component after the other.
+//
+// SizeMap: property map from the vertices of the mesh to the wanted size of the quads.
+template <typename TriangleMesh, typename VertexPointMap, typename BoundaryCurveTraits,
+          typename SizeMap, typename Surface, typename Visitor>
+class Converter
+{
+  typedef typename boost::property_traits<VertexPointMap>::value_type Point_3;
+  typedef typename Kernel_traits<Point_3>::Kernel Kernel;
+  typedef Boundary_curve_network_3<TriangleMesh, BoundaryCurveTraits> Network;
+  typedef Component_splitter<TriangleMesh, VertexPointMap, BoundaryCurveTraits> Splitter;
+  typedef typename Splitter::Component Component;
+  typedef typename Component::Mesh Component_mesh;
+  typedef Boundary_curve_network_3<Component_mesh, BoundaryCurveTraits> Component_network;
+  typedef Transfinite_patch_network_3<Kernel, Component_mesh, BoundaryCurveTraits> Target;
+
+public:
+  Converter(const TriangleMesh& tm, const VertexPointMap& vpm, const Network& network,
+            const SizeMap& size_map, const Conversion_options& options, Visitor& visitor,
+            std::vector<Surface>& surfaces, Conversion_report& report)
+    : m_tm(tm), m_vpm(vpm), m_network(network), m_size_map(size_map), m_options(options)
+    , m_visitor(visitor), m_surfaces(surfaces), m_report(report)
+  {}
+
+  // `curves`: the property map of the curve segments of the halfedges
+  template <typename HalfedgeCurveMap>
+  Error_code operator()(const HalfedgeCurveMap& curves)
+  {
+    const Splitter splitter(m_tm, m_vpm);
+    describe_input(splitter.number_of_components());
+    Error_code result = Error_code::OK;
+    for(std::size_t i = 0; i < splitter.number_of_components(); ++i)
+    {
+      Component component;
+      splitter.copy(i, curves, [&](auto v) { return m_network.is_corner(v); },
+                    [&](auto v) { return CGAL::to_double(get(m_size_map, v)); }, component);
+      Conversion_report part;
+      const Error_code code = convert(component, part);
+      merge_reports(part, m_report);
+      if(code != Error_code::OK)
+        result = code;
+      if(code != Error_code::OK && code != Error_code::TOLERANCE_NOT_REACHED)
+      {
+        m_report.message = in_component(i, splitter.number_of_components(), part.message);
+        break;
+      }
+    }
+    return result;
+  }
+
+private:
+  void describe_input(std::size_t number_of_components)
+  {
+    Conversion_report::Input& input = m_report.input;
+    input.vertices = num_vertices(m_tm);
+    input.triangles = num_faces(m_tm);
+    input.components = number_of_components;
+    input.loops = m_network.number_of_loops();
+    for(const auto v : vertices(m_tm))
+      if(m_network.is_corner(v))
+        ++input.corners;
+    std::ptrdiff_t border_halfedges = 0;
+    for(const auto h : halfedges(m_tm))
+      if(is_border(h, m_tm))
+        ++border_halfedges;
+    const std::ptrdiff_t vertices = num_vertices(m_tm), faces = num_faces(m_tm);
+    const std::ptrdiff_t euler_characteristic = vertices - (3 * faces + border_halfedges) / 2 + faces;
+    input.genus = (2 * std::ptrdiff_t(number_of_components) - std::ptrdiff_t(input.loops)
+                   - euler_characteristic) / 2;
+    input.diameter = CGAL::to_double(m_network.diameter());
+  }
+
+  static std::string in_component(std::size_t i, std::size_t n, const std::string& message)
+  {
+    return n == 1 ? message
+                  : "component " + std::to_string(i + 1) + " of " + std::to_string(n) + ": " + message;
+  }
+
+  // runs a stage between the calls of the visitor, and measures its time.
+  template <typename Stage>
+  Error_code run(const std::string& name, Conversion_report& part, Stage stage)
+  {
+    if(!m_visitor.go_further())
+    {
+      part.message = "the visitor interrupted the conversion before the stage '" + name + "'";
+      return Error_code::INTERRUPTED;
+    }
+    m_visitor.on_stage_begin(name);
+    Real_timer timer;
+    timer.start();
+    const Error_code code = stage();
+    part.add_time(name, timer.time());
+    m_visitor.on_stage_end(name, timer.time());
+    if(code != Error_code::OK && part.message.empty())
+      part.message = "stage '" + name + "': " + error_message(code);
+    return code;
+  }
+
+  Error_code convert(Component& component, Conversion_report& part)
+  {
+    const Component_network network(component.mesh, component.segments, m_network.traits(),
+                                    parameters::corner_angle(m_options.corner_angle)
+                                      .vertex_is_constrained_map(component.corners));
+    if(network.error() != Error_code::OK)
+    {
+      part.message = network.message();
+      return network.error();
+    }
+    Quad_layout<Kernel> layout;
+    const Error_code code = compute_layout(component, network, layout, part);
+    return code == Error_code::OK ? fit(component, network, layout, part) : code;
+  }
+
+  // the stages before the surface: field, map and layout
+  Error_code compute_layout(const Component& component, const Component_network& network,
+                            Quad_layout<Kernel>& layout, Conversion_report& part)
+  {
+    Cross_field field;
+    Integer_grid_map map;
+    Error_code code = run("cross_field", part, [&]()
+      {
+        return compute_cross_field(component.mesh, network, field,
+                                   parameters::quad_size_map(component.sizes));
+      });
+    if(code == Error_code::OK)
+      code = run("integer_grid_map", part, [&]() { return compute_integer_grid_map(field, map); });
+    if(code == Error_code::OK)
+      code = run("quad_layout", part, [&]()
+        { return extract_quad_layout(map, component.mesh, network, layout); });
+    part.counts.layout_quads = layout.number_of_quads();
+    return code;
+  }
+
+  // the surface stages; the surface is kept if a tolerance is missed.
+  Error_code fit(const Component& component, const Component_network& network,
+                 const Quad_layout<Kernel>& layout, Conversion_report& part)
+  {
+    const Target target(layout, network, component.mesh);
+    Surface surface(layout);
+    const auto np = parameters::boundary_tolerance(m_options.boundary_tolerance)
+                      .interior_tolerance(m_options.interior_tolerance)
+                      .error_metric(m_options.error_metric)
+                      .maximum_number_of_patches(m_options.maximum_number_of_patches)
+                      .visitor(std::ref(m_visitor));
+    Error_code result = run("fit_boundary", part, [&]()
+      { return fit_boundary(surface, target, part, np); });
+    if(is_surface(result))
+    {
+      const Error_code code = run("fit_interior", part, [&]()
+        { return fit_interior(surface, target, part, np); });
+      result = (code == Error_code::OK) ? result : code;
+    }
+    if(!is_surface(result))
+      return result;
+    const Error_code code = run("measure_deviation", part, [&]()
+      { return measure(surface, component, network, part); });
+    m_surfaces.push_back(std::move(surface));
+    return code == Error_code::OK ? result : code;
+  }
+
+  static bool is_surface(Error_code code)
+  {
+    return code == Error_code::OK || code == Error_code::TOLERANCE_NOT_REACHED;
+  }
+
+  const TriangleMesh& m_tm;
+  VertexPointMap m_vpm;
+  const Network& m_network;
+  SizeMap m_size_map;
+  Conversion_options m_options;
+  Visitor& m_visitor;
+  std::vector<Surface>& m_surfaces;
+  Conversion_report& m_report;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_spline_conversion
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_CONVERSION_CONVERTER_H
