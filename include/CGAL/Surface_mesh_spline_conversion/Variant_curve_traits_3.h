@@ -41,9 +41,11 @@ public:
   typedef typename FirstTraits::Vector_3 Vector_3;
   typedef std::variant<typename FirstTraits::Curve_3, typename OtherTraits::Curve_3...> Curve_3;
 
+  /// creates traits from default traits of each kind.
+  Variant_curve_traits_3() {}
+
   /// creates traits from those of each kind.
-  explicit Variant_curve_traits_3(const FirstTraits& first = FirstTraits(),
-                                  const OtherTraits&... others)
+  explicit Variant_curve_traits_3(const FirstTraits& first, const OtherTraits&... others)
     : m_traits(first, others...)
   {}
 
