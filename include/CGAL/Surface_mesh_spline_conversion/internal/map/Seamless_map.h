@@ -35,12 +35,12 @@ typedef boost::multiprecision::int128_t Wide_integer;
 // point or vector of the parameter plane, in units of 2^-fractional_bits quads
 typedef std::array<std::int64_t, 2> Fixed_point_2;
 
-inline Fixed_point_2 operator_plus(const Fixed_point_2& a, const Fixed_point_2& b)
+inline Fixed_point_2 plus(const Fixed_point_2& a, const Fixed_point_2& b)
 {
   return {{a[0] + b[0], a[1] + b[1]}};
 }
 
-inline Fixed_point_2 operator_minus(const Fixed_point_2& a, const Fixed_point_2& b)
+inline Fixed_point_2 minus(const Fixed_point_2& a, const Fixed_point_2& b)
 {
   return {{a[0] - b[0], a[1] - b[1]}};
 }
@@ -76,13 +76,15 @@ struct Seamless_map
   std::vector<int> rotation;               // per halfedge h of f with opposite in g:
                                            // x_g = R^rotation[h] x_f + t, in 0..3; 0 on the boundary
   std::vector<int> cone;                   // per vertex: total angle in quarter turns
+  std::vector<double> size;                // per vertex: wanted edge length of the quads
+  int repairs = 0;                         // rung of the repair ladder that gave the map, 0: none
 
   // the translation t in x_g = R^rotation[h] x_f + t
   // \pre `h` is not a border halfedge
   Fixed_point_2 translation(int h) const
   {
     const int o = mesh.opposite[h];
-    return operator_minus(coordinates[Working_mesh::next(o)], rotate(rotation[h], coordinates[h]));
+    return minus(coordinates[Working_mesh::next(o)], rotate(rotation[h], coordinates[h]));
   }
 };
 
