@@ -81,8 +81,8 @@ struct Working_mesh
   }
 
   // splits the edge of `h` at its midpoint and returns the new vertex. The face of `h` keeps the
-  // part at the source of `h`; its other part is appended, then that of the opposite face. Indices
-  // of corners inside a triangle are kept, see `inherit_split()` for what this means for attributes.
+  // part at the source of `h`; its other part is appended, then that of the opposite face. The
+  // halfedge `next(h)` becomes the new inner edge, and its old edge moves to the appended face.
   int split_edge(int h)
   {
     const int o = opposite[h];
@@ -101,6 +101,15 @@ struct Working_mesh
     link(h, near_source);
     link(near_target, o);
     return v;
+  }
+
+  // an outgoing halfedge of `a` with target `b`, or -1. A list of edges to be split must consist of
+  // pairs of vertices, because splits move halfedges.
+  int find_halfedge(int a, int b) const
+  {
+    int found = -1;
+    for_each_outgoing(a, [&](int h) { if(target(h) == b) found = h; });
+    return found;
   }
 
   // sets `opposite` of two halfedges of the same edge
