@@ -154,6 +154,33 @@ private:
   }
 };
 
+// Connected component of every face, numbered from 0.
+inline std::vector<int> face_components(const Working_mesh& mesh)
+{
+  std::vector<int> component(mesh.number_of_faces(), -1), stack;
+  int n = 0;
+  for(int seed = 0; seed < mesh.number_of_faces(); ++seed)
+  {
+    if(component[seed] >= 0)
+      continue;
+    component[seed] = n;
+    stack.push_back(seed);
+    while(!stack.empty())
+    {
+      const int f = stack.back();
+      stack.pop_back();
+      for(int h = 3 * f; h < 3 * f + 3; ++h)
+        if(!mesh.is_border(h) && component[mesh.opposite[h] / 3] < 0)
+        {
+          component[mesh.opposite[h] / 3] = n;
+          stack.push_back(mesh.opposite[h] / 3);
+        }
+    }
+    ++n;
+  }
+  return component;
+}
+
 } // namespace internal
 } // namespace Surface_mesh_spline_conversion
 } // namespace CGAL
