@@ -81,8 +81,8 @@ struct Working_mesh
   }
 
   // splits the edge of `h` at its midpoint and returns the new vertex. The face of `h` keeps the
-  // part at the source of `h`; its other part is appended, then that of the opposite face. Indices
-  // of corners inside a triangle are kept, see `inherit_split()` for what this means for attributes.
+  // part at the source of `h`; its other part is appended, then that of the opposite face. The
+  // halfedge `next(h)` becomes the new inner edge, and its old edge moves to the appended face.
   int split_edge(int h)
   {
     const int o = opposite[h];
@@ -101,6 +101,15 @@ struct Working_mesh
     link(h, near_source);
     link(near_target, o);
     return v;
+  }
+
+  // an outgoing halfedge of `a` with target `b`, or -1. A list of edges to be split must consist of
+  // pairs of vertices, because splits move halfedges.
+  int find_halfedge(int a, int b) const
+  {
+    int found = -1;
+    for_each_outgoing(a, [&](int h) { if(target(h) == b) found = h; });
+    return found;
   }
 
   // sets `opposite` of two halfedges of the same edge
@@ -144,6 +153,33 @@ private:
     boundary_piece[near_target].first = middle;
   }
 };
+
+// Connected component of every face, numbered from 0.
+inline std::vector<int> face_components(const Working_mesh& mesh)
+{
+  std::vector<int> component(mesh.number_of_faces(), -1), stack;
+  int n = 0;
+  for(int seed = 0; seed < mesh.number_of_faces(); ++seed)
+  {
+    if(component[seed] >= 0)
+      continue;
+    component[seed] = n;
+    stack.push_back(seed);
+    while(!stack.empty())
+    {
+      const int f = stack.back();
+      stack.pop_back();
+      for(int h = 3 * f; h < 3 * f + 3; ++h)
+        if(!mesh.is_border(h) && component[mesh.opposite[h] / 3] < 0)
+        {
+          component[mesh.opposite[h] / 3] = n;
+          stack.push_back(mesh.opposite[h] / 3);
+        }
+    }
+    ++n;
+  }
+  return component;
+}
 
 } // namespace internal
 } // namespace Surface_mesh_spline_conversion
