@@ -15,6 +15,7 @@ CGAL_add_named_parameter(boundary_tolerance_t, boundary_tolerance, boundary_tole
 CGAL_add_named_parameter(interior_tolerance_t, interior_tolerance, interior_tolerance)
 CGAL_add_named_parameter(quad_size_map_t, quad_size_map, quad_size_map)
 CGAL_add_named_parameter(corner_angle_t, corner_angle, corner_angle)
+CGAL_add_named_parameter(association_tolerance_t, association_tolerance, association_tolerance)
 CGAL_add_named_parameter(error_metric_t, error_metric, error_metric)
 CGAL_add_named_parameter(maximum_number_of_patches_t, maximum_number_of_patches, maximum_number_of_patches)
 #endif
@@ -23,6 +24,7 @@ CGAL_add_named_parameter(maximum_number_of_patches_t, maximum_number_of_patches,
 #ifdef CGAL_add_existing_named_parameter
 CGAL_add_existing_named_parameter(vertex_point_t, vertex_point_map)
 CGAL_add_existing_named_parameter(geom_traits_t, geom_traits)
+CGAL_add_existing_named_parameter(vertex_is_constrained_t, vertex_is_constrained_map)
 CGAL_add_existing_named_parameter(visitor_t, visitor)
 CGAL_add_existing_named_parameter(verbose_t, verbose)
 CGAL_add_existing_named_parameter(number_of_iterations_t, number_of_iterations)
