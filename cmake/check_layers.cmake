@@ -11,7 +11,7 @@ set(rules
   entry   "^convert_to_T_NURCC\\.h$|^internal/conversion/"
   base    "^(Error_code|Conversion_report|Default_visitor|Error_metric)\\.h$|^internal/[^/]*\\.h$"
   layout  "^Quad_layout\\.h$"
-  field   "^(Cross_field|compute_cross_field)\\.h$|^internal/(field/|map/Working_mesh\\.h$)"
+  field   "^(Cross_field|compute_cross_field)\\.h$|^internal/(field/|map/(make_|refine_)?[Ww]orking_mesh\\.h$)"
   map     "^(Integer_grid_map|compute_integer_grid_map)\\.h$|^internal/map/"
   layout  "^extract_quad_layout\\.h$|^internal/layout/"
   patches "^Transfinite_patch_network_3\\.h$|^internal/patches/"
@@ -20,7 +20,7 @@ set(rules
   export  "^(NURBS_shell_3|extract_NURBS_faces|measure_deviation|Deviation)\\.h$"
   export  "^internal/(caps|export)/"
   curves  "_traits_3\\.h$|^(Boundary_curve_network_3|Curve_segment|NURBS_curve_3)\\.h$"
-  curves  "^(Elementary_surface_3|interpolate_boundary_curves)\\.h$"
+  curves  "^(Elementary_surface_3|Curve_joint|Conversion_case|interpolate_boundary_curves)\\.h$"
   curves  "^smallest_enclosing_sphere_diameter\\.h$|^internal/curves/")
 
 function(find_layer file result)
