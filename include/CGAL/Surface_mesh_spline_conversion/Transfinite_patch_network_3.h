@@ -21,8 +21,10 @@
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/number_utils.h>
+#include <CGAL/squared_distance_3.h>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <vector>
@@ -141,6 +143,9 @@ public:
   /// \name Patches
   /// @{
 
+  /// returns the diameter of the smallest sphere enclosing the vertices of the mesh.
+  FT diameter() const { return m_network.diameter(); }
+
   /// returns the layout.
   const Layout& layout() const { return m_layout; }
 
@@ -220,7 +225,7 @@ private:
         {
           if(!m_corner_displacements[q])
             m_corner_displacements[q] = std::make_shared<Corner_displacements>(no_displacements());
-          (*m_corner_displacements[q])[i] = side_displacement(q, i, (*sides)[i], FT(0));
+          (*m_corner_displacements[q])[i] = side_displacement(q, i, (*sides)[i], FT(0), FT(0));
         }
     }
   }
@@ -246,10 +251,11 @@ private:
     return FT(m_boundary.slide(side.chain, double(side.index) + CGAL::to_double(t)));
   }
 
-  // returns mu_i(t) of section 2.3 of the paper, for the warped inverse map
-  Vector_3 side_displacement(size_type quad, int i, const Quad_side& side, const FT& t) const
+  // returns mu_i(t) of section 2.3 of the paper, for the inverse map warped by `slide`
+  Vector_3 side_displacement(size_type quad, int i, const Quad_side& side, const FT& t,
+                             const FT& slide) const
   {
-    const std::array<FT, 2> uv = internal::from_side<FT>(i, t + slide(side, t), FT(0));
+    const std::array<FT, 2> uv = internal::from_side<FT>(i, t + slide, FT(0));
     return curve_point(side.chain, FT(double(side.index)) + t)
            - inverse_map_across(quad, uv[0], uv[1]);
   }
@@ -268,9 +274,10 @@ private:
       const std::array<FT, 2> td = internal::to_side<FT>(i, u, v);
       if(td[1] == FT(0))
         return curve_point(sides[i].chain, FT(double(sides[i].index)) + td[0]);
-      const FT weight = FT(1) - td[1];
-      displacement = displacement + weight * side_displacement(quad, i, sides[i], td[0]);
-      const FT move = weight * slide(sides[i], td[0]);
+      const FT weight = FT(1) - td[1], side_slide = slide(sides[i], td[0]);
+      displacement
+        = displacement + weight * side_displacement(quad, i, sides[i], td[0], side_slide);
+      const FT move = weight * side_slide;
       (i % 2 == 0 ? warped_u : warped_v) += (i < 2 ? move : -move);
     }
     if(m_corner_displacements[quad])

@@ -64,7 +64,7 @@ public:
     const double period = m_values.back() - m_values.front();
     const double value = t < 0.5
       ? m_values[k] + t * (a + t * (c2 + t * c3))
-      : m_values[k + 1] - (1 - t) * (b - (1 - t) * ((3 * d - a - 2 * b) - (1 - t) * c3));
+      : m_values[k + 1] - (1 - t) * (b - (1 - t) * ((a + 2 * b - 3 * d) - (1 - t) * c3));
     return value + turn * period;
   }
 

@@ -72,14 +72,14 @@ private:
   bool is_on(halfedge_descriptor h, std::size_t chain) const
   {
     return is_border(opposite(h, m_mesh), m_mesh)
-           && static_cast<std::size_t>(m_network.chain_of(h).first) == chain;
+           && m_network.chain_of(h).chain == chain;
   }
 
   double on_edge(halfedge_descriptor h, double t) const
   {
     const auto place = m_network.chain_of(h);
-    const double first = CGAL::to_double(m_network.arc_length(place.first, place.second));
-    const double last = CGAL::to_double(m_network.arc_length(place.first, place.second + 1));
+    const double first = CGAL::to_double(m_network.arc_length(place.chain, place.index));
+    const double last = CGAL::to_double(m_network.arc_length(place.chain, place.index + 1));
     return first + t * (last - first);
   }
 
