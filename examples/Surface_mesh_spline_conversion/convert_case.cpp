@@ -17,16 +17,14 @@
 
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
 
-namespace SC = CGAL::Surface_mesh_spline_conversion;
-
 typedef CGAL::Simple_cartesian<double> K;
 typedef CGAL::Surface_mesh<K::Point_3> Mesh;
 typedef CGAL::T_NURCC_surface_3<K> Surface;
-typedef SC::Conversion_report Report;
 
 // Ends a run that failed before the conversion: tells why, also in the report.
 Exit_code stop(const Options& options, Report& report, SC::Error_code code,
@@ -66,11 +64,11 @@ Exit_code exit_code(SC::Error_code code)
 // Converts, and writes whatever came out. `conversion` calls convert_to_T_NURCC() with the named
 // parameters it is given.
 template <typename Conversion>
-Exit_code convert_and_write(const Options& options, const Mesh& mesh, Report& report,
-                            const Conversion& conversion)
+Exit_code convert_and_write(const Options& options, const Mesh& mesh, const std::string& unit,
+                            Report& report, const Conversion& conversion)
 {
-  const Resolution resolution = find_resolution(options, mesh, report.warnings);
-  Progress_visitor visitor(options.is_quiet);
+  const Resolution resolution = find_resolution(options, mesh);
+  Progress_visitor visitor(options.is_quiet, number_of_stages(mesh));
   std::vector<Surface> surfaces;
   // the conversion starts a report of its own
   const std::vector<std::string> warnings = report.warnings;
@@ -90,25 +88,28 @@ Exit_code convert_and_write(const Options& options, const Mesh& mesh, Report& re
     std::fprintf(stderr, "convert_case: %s: %s\n", SC::error_message(code),
                  report.message.c_str());
 
-  const bool has_result
-    = code == SC::Error_code::OK || code == SC::Error_code::TOLERANCE_NOT_REACHED;
-  if(!write_results(options, mesh, has_result ? surfaces : std::vector<Surface>(), report))
-    return FAILURE;
-  return exit_code(code);
+  if(code != SC::Error_code::OK && code != SC::Error_code::TOLERANCE_NOT_REACHED)
+    surfaces.clear(); // what is there is only a part of the result
+  SC::STEP_information information;
+  information.product = std::filesystem::path(options.input).stem().string();
+  information.unit = unit;
+  information.uncertainty = resolution.xi;
+  const bool is_written = write_results(options, mesh, surfaces, information, report);
+  return is_written ? exit_code(code) : FAILURE;
 }
 
 Exit_code convert_case(const Options& options)
 {
   Report report;
-  SC::Case_data<K> input;
-  const std::string error = CGAL::IO::read_case(options.input, input);
-  if(!error.empty())
-    return stop(options, report, SC::Error_code::INVALID_BOUNDARY_ASSOCIATION, error);
-  return convert_and_write(options, input.mesh, report,
+  SC::Conversion_case<K> input;
+  std::string message;
+  if(!CGAL::IO::read_case(options.input, input, message))
+    return stop(options, report, SC::Error_code::INVALID_BOUNDARY_ASSOCIATION, message);
+  return convert_and_write(options, input.mesh, input.unit, report,
     [&input](std::vector<Surface>& surfaces, Report& r, const auto& np)
     {
       return SC::convert_to_T_NURCC(input.mesh, input.halfedge_curve_map(), input.traits, surfaces,
-                                    r, np);
+                                    r, np.vertex_is_constrained_map(input.vertex_is_corner_map()));
     });
 }
 
@@ -116,11 +117,11 @@ Exit_code convert_bare_mesh(const Options& options)
 {
   Report report;
   Mesh mesh;
-  const std::string error = read_mesh(options.input, mesh, report.warnings);
-  if(!error.empty())
-    return stop(options, report, SC::Error_code::NON_MANIFOLD_MESH, error);
+  const Mesh_defect defect = read_mesh(options.input, mesh, report.warnings);
+  if(defect.code != SC::Error_code::OK)
+    return stop(options, report, defect.code, defect.message);
   if(CGAL::is_closed(mesh))
-    return convert_and_write(options, mesh, report,
+    return convert_and_write(options, mesh, "mm", report,
       [&mesh](std::vector<Surface>& surfaces, Report& r, const auto& np)
       { return SC::convert_to_T_NURCC(mesh, surfaces, r, np); });
 
@@ -128,8 +129,11 @@ Exit_code convert_bare_mesh(const Options& options)
   typedef SC::Curve_segment<Curve_traits> Segment;
   const Curve_traits traits;
   auto curves = mesh.add_property_map<Mesh::Halfedge_index, Segment>("h:curve").first;
-  SC::interpolate_boundary_curves(mesh, traits, curves);
-  return convert_and_write(options, mesh, report,
+  std::string message;
+  const SC::Error_code code = SC::interpolate_boundary_curves(mesh, traits, curves, message);
+  if(code != SC::Error_code::OK)
+    return stop(options, report, code, message);
+  return convert_and_write(options, mesh, "mm", report,
     [&mesh, &curves, &traits](std::vector<Surface>& surfaces, Report& r, const auto& np)
     { return SC::convert_to_T_NURCC(mesh, curves, traits, surfaces, r, np); });
 }
@@ -143,7 +147,13 @@ Exit_code run(const Options& options)
   const std::string error = prepare_output(options);
   if(!error.empty())
     return stop(options, report, SC::Error_code::INVALID_PARAMETER, error);
-  return is_mesh_file(options.input) ? convert_bare_mesh(options) : convert_case(options);
+  if(is_mesh_file(options.input))
+    return convert_bare_mesh(options);
+  if(std::filesystem::is_regular_file(options.input)
+     && lower_case_extension(options.input) != ".json")
+    return stop(options, report, SC::Error_code::EMPTY_MESH,
+                options.input + " is neither a case nor an OFF, PLY, OBJ, or STL file");
+  return convert_case(options);
 }
 
 int main(int argc, char* argv[])

@@ -32,12 +32,11 @@ int main(int argc, char* argv[])
   }
   auto curves
     = mesh.add_property_map<Mesh::Halfedge_index, SC::Curve_segment<Traits> >("h:curve").first;
-  SC::interpolate_boundary_curves(mesh, Traits(), curves);
-
   std::vector<CGAL::T_NURCC_surface_3<K> > surfaces;
   SC::Conversion_report report;
-  const SC::Error_code code
-    = SC::convert_to_T_NURCC(mesh, curves, Traits(), surfaces, report);
+  SC::Error_code code = SC::interpolate_boundary_curves(mesh, Traits(), curves, report.message);
+  if(code == SC::Error_code::OK)
+    code = SC::convert_to_T_NURCC(mesh, curves, Traits(), surfaces, report);
   if(code != SC::Error_code::OK)
   {
     std::cerr << SC::error_message(code) << ": " << report.message << std::endl;

@@ -30,7 +30,7 @@ struct Options
   bool is_relative = false;
   std::string output, report, history, vtk, pictures, stitched;
   std::size_t threads = 1;
-  std::size_t maximum_number_of_patches = 0; // 0: as many as are needed
+  std::size_t maximum_number_of_patches = 200000; // the default of the library
   std::string error_metric = "reprojected";
   bool do_merge = true;
   bool is_quiet = false;

@@ -4,6 +4,9 @@
 
 #include <CGAL/Surface_mesh_spline_conversion/Conversion_report.h>
 
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/boost/graph/properties.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdio>
@@ -14,6 +17,16 @@
 #else
 #include <unistd.h>
 #endif
+
+// The stages that convert_to_T_NURCC() goes through: the same ones for each component.
+template <typename Mesh>
+std::size_t number_of_stages(const Mesh& mesh)
+{
+  const std::size_t stages_per_component = 6;
+  const auto component = get(CGAL::dynamic_face_property_t<std::size_t>(), mesh);
+  return stages_per_component
+       * CGAL::Polygon_mesh_processing::connected_components(mesh, component);
+}
 
 // Prints one line per stage and iteration; on a terminal with the percentage of the stages that
 // have begun.

@@ -2,6 +2,8 @@
 #ifndef CONVERT_CASE_MESH_READER_H
 #define CONVERT_CASE_MESH_READER_H
 
+#include <CGAL/Surface_mesh_spline_conversion/Error_code.h>
+
 #include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
@@ -99,36 +101,56 @@ inline std::string check_vertices(const Polygons& triangles, std::size_t number_
   return std::string();
 }
 
-// Reads a triangle mesh from a file in the format OFF, PLY, OBJ, or STL. Returns what is wrong with
-// it, or nothing; what is only suspicious is added to `warnings`.
-template <typename Mesh>
-std::string read_mesh(const std::string& filename, Mesh& mesh, std::vector<std::string>& warnings)
+struct Mesh_defect
 {
-  std::vector<typename Mesh::Point> points;
-  Polygons polygons;
-  if(!CGAL::IO::read_polygon_soup(filename, points, polygons))
-    return "the file " + filename + " cannot be read as "
-         + lower_case_extension(filename).substr(1) + " file";
+  CGAL::Surface_mesh_spline_conversion::Error_code code;
+  std::string message;
+};
+
+// Returns what is wrong with the elements of a mesh.
+template <typename Points>
+Mesh_defect check_mesh(const Points& points, const Polygons& polygons)
+{
+  using CGAL::Surface_mesh_spline_conversion::Error_code;
   if(polygons.empty())
-    return "the mesh in " + filename + " has no face";
+    return {Error_code::EMPTY_MESH, "the mesh has no face"};
   for(std::size_t i = 0; i < points.size(); ++i)
     if(!(std::isfinite(points[i].x()) && std::isfinite(points[i].y())
          && std::isfinite(points[i].z())))
-      return "a coordinate of vertex " + std::to_string(i) + " is not finite";
-  std::string defect = check_faces(polygons, points.size());
-  if(defect.empty())
-    defect = check_edges(polygons);
-  if(defect.empty())
-    defect = check_vertices(polygons, points.size());
-  if(!defect.empty())
-    return defect;
+      return {Error_code::DEGENERATE_MESH,
+              "a coordinate of vertex " + std::to_string(i) + " is not finite"};
+  std::string message = check_faces(polygons, points.size());
+  if(!message.empty())
+    return {Error_code::NON_TRIANGULAR_MESH, message};
+  message = check_edges(polygons);
+  if(message.empty())
+    message = check_vertices(polygons, points.size());
+  return {message.empty() ? Error_code::OK : Error_code::NON_MANIFOLD_MESH, message};
+}
+
+// Reads a triangle mesh from a file in the format OFF, PLY, OBJ, or STL. Returns what is wrong with
+// it; what is only suspicious is added to `warnings`.
+template <typename Mesh>
+Mesh_defect read_mesh(const std::string& filename, Mesh& mesh, std::vector<std::string>& warnings)
+{
+  using CGAL::Surface_mesh_spline_conversion::Error_code;
+  std::vector<typename Mesh::Point> points;
+  Polygons polygons;
+  if(!std::filesystem::is_regular_file(filename))
+    return {Error_code::EMPTY_MESH, "there is no file " + filename};
+  if(!CGAL::IO::read_polygon_soup(filename, points, polygons))
+    return {Error_code::EMPTY_MESH, "the file " + filename + " cannot be read as "
+            + lower_case_extension(filename).substr(1) + " file"};
+  const Mesh_defect defect = check_mesh(points, polygons);
+  if(defect.code != Error_code::OK)
+    return {defect.code, filename + ": " + defect.message};
 
   const std::size_t unused
     = CGAL::Polygon_mesh_processing::remove_isolated_points_in_polygon_soup(points, polygons);
   if(unused > 0)
     warnings.push_back(std::to_string(unused) + " vertices belong to no face and were left out");
   CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(points, polygons, mesh);
-  return std::string();
+  return defect;
 }
 
 #endif // CONVERT_CASE_MESH_READER_H

@@ -10,9 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <string>
-#include <vector>
 
 struct Resolution
 {
@@ -57,14 +55,12 @@ double mean_edge_length(const Mesh& mesh)
   return mesh.is_empty() ? 0 : sum / static_cast<double>(mesh.number_of_edges());
 }
 
-// Combines preset and options, explicit options win; warns where the quads are too small.
+// Combines preset and options; explicit options win.
 template <typename Mesh>
-Resolution find_resolution(const Options& options, const Mesh& mesh,
-                           std::vector<std::string>& warnings)
+Resolution find_resolution(const Options& options, const Mesh& mesh)
 {
   const double diameter
     = CGAL::Surface_mesh_spline_conversion::smallest_enclosing_sphere_diameter(mesh);
-  const double mean_edge = mean_edge_length(mesh);
   const Preset preset = find_preset(options.preset);
   const double unit = options.is_relative ? diameter : 1;
   const auto choose = [unit](double option, double otherwise)
@@ -74,17 +70,11 @@ Resolution find_resolution(const Options& options, const Mesh& mesh,
   resolution.xi = choose(options.xi, preset.xi * diameter);
   resolution.delta = choose(options.delta, preset.delta * diameter);
   // the default also keeps the quads larger than the triangles, whose edges must not be copied
-  const double smallest = (options.preset == "medium") ? 2 * mean_edge : 0;
+  const double smallest = (options.preset == "medium") ? 2 * mean_edge_length(mesh) : 0;
   resolution.quad_size = choose(options.quad_size,
                                 (std::max)(preset.quad_size * diameter, smallest));
-  if(resolution.quad_size < mean_edge)
-    warnings.push_back("the quads are smaller than the mean edge of the mesh ("
-                       + std::to_string(mean_edge) + "): the surface will copy the facets");
-  if(options.threads > 1)
-    warnings.push_back("this build uses one thread");
   resolution.error_metric = find_error_metric(options.error_metric);
-  resolution.maximum_number_of_patches = options.maximum_number_of_patches
-    ? options.maximum_number_of_patches : (std::numeric_limits<std::size_t>::max)();
+  resolution.maximum_number_of_patches = options.maximum_number_of_patches;
   return resolution;
 }
 

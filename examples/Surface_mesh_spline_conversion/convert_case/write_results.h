@@ -27,7 +27,9 @@
 #include <sys/resource.h>
 #endif
 
-typedef CGAL::Surface_mesh_spline_conversion::Conversion_report Report;
+namespace SC = CGAL::Surface_mesh_spline_conversion;
+
+typedef SC::Conversion_report Report;
 
 // The largest resident memory of this process so far, in bytes; 0 if unknown.
 inline std::size_t peak_memory()
@@ -87,23 +89,50 @@ inline bool write_history(const Options& options, const Report& report)
   return check(CGAL::IO::write_history_SVG(chart, report), chart) && is_table_written;
 }
 
-// Writes the STEP file, one shell per surface.
+// Adds the faces of `part` to `whole`.
+template <typename Shell>
+void append(const Shell& part, Shell& whole)
+{
+  const std::size_t first_vertex = whole.number_of_vertices();
+  const std::size_t first_edge = whole.number_of_edges();
+  for(std::size_t v = 0; v < part.number_of_vertices(); ++v)
+    whole.add_vertex(part.point(v));
+  for(std::size_t e = 0; e < part.number_of_edges(); ++e)
+  {
+    auto edge = part.edge(e);
+    edge.source += first_vertex;
+    edge.target += first_vertex;
+    whole.add_edge(edge);
+  }
+  for(std::size_t f = 0; f < part.number_of_faces(); ++f)
+  {
+    auto face = part.face(f);
+    for(auto& oriented_edge : face.loop)
+      oriented_edge.edge += first_edge;
+    whole.add_face(face);
+  }
+}
+
+// Writes the faces of all surfaces to the STEP file and the VTK file.
 template <typename K>
 bool write_faces(const Options& options, const std::vector<CGAL::T_NURCC_surface_3<K> >& surfaces,
-                 Report& report)
+                 const SC::STEP_information& information, Report& report)
 {
-  namespace SC = CGAL::Surface_mesh_spline_conversion;
   CGAL::Real_timer timer;
   timer.start();
-  std::vector<SC::NURBS_shell_3<K> > shells(surfaces.size());
-  for(std::size_t i = 0; i < surfaces.size(); ++i)
+  SC::NURBS_shell_3<K> shell;
+  for(const CGAL::T_NURCC_surface_3<K>& surface : surfaces)
   {
-    SC::extract_NURBS_faces(surfaces[i], shells[i]);
-    report.counts.nurbs_faces += shells[i].number_of_faces();
+    SC::NURBS_shell_3<K> part;
+    SC::extract_NURBS_faces(surface, part);
+    append(part, shell);
   }
-  const bool is_written
+  report.counts.nurbs_faces = shell.number_of_faces();
+  bool is_written
     = options.output.empty()
-   || check(CGAL::IO::write_STEP(options.output, shells), options.output);
+   || check(CGAL::IO::write_STEP(options.output, shell, information), options.output);
+  if(!options.vtk.empty())
+    is_written = check(CGAL::IO::write_VTU(options.vtk, shell), options.vtk) && is_written;
   report.add_time("export", timer.time());
   return is_written;
 }
@@ -111,14 +140,13 @@ bool write_faces(const Options& options, const std::vector<CGAL::T_NURCC_surface
 // Writes all files; returns `true` if every one is written.
 template <typename Mesh, typename K>
 bool write_results(const Options& options, const Mesh& mesh,
-                   const std::vector<CGAL::T_NURCC_surface_3<K> >& surfaces, Report& report)
+                   const std::vector<CGAL::T_NURCC_surface_3<K> >& surfaces,
+                   const SC::STEP_information& information, Report& report)
 {
   bool is_written = true;
   if(!surfaces.empty())
   {
-    is_written = write_faces(options, surfaces, report);
-    if(!options.vtk.empty())
-      is_written = check(CGAL::IO::write_VTU(options.vtk, surfaces), options.vtk) && is_written;
+    is_written = write_faces(options, surfaces, information, report);
     if(!options.pictures.empty())
       is_written = check(CGAL::IO::write_pictures(options.pictures, surfaces, mesh, report),
                          options.pictures) && is_written;
