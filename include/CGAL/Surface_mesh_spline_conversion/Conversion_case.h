@@ -29,8 +29,8 @@ namespace Surface_mesh_spline_conversion {
 /*!
 \ingroup PkgSurfaceMeshSplineConversionIO
 
-is an input of the conversion as read from a file by `CGAL::IO::read_case()`: a mesh with the curves of
-its boundary.
+is an input of the conversion as read from a file by `CGAL::IO::read_case()`: a mesh with the curves
+of its boundary.
 
 \tparam K a model of `Kernel` with a floating-point number type
 */
@@ -39,7 +39,8 @@ struct Conversion_case
 {
   typedef typename K::Point_3 Point_3;
   typedef Surface_mesh<Point_3> Triangle_mesh;
-  typedef Variant_curve_traits_3<NURBS_curve_traits_3<K>, Curve_on_surface_traits_3<K> > Curve_traits;
+  typedef Variant_curve_traits_3<NURBS_curve_traits_3<K>,
+                                 Curve_on_surface_traits_3<K> > Curve_traits;
   typedef typename Curve_traits::Curve_3 Curve_3;
   typedef Surface_mesh_spline_conversion::Curve_segment<Curve_traits> Curve_segment;
 
@@ -52,15 +53,15 @@ struct Conversion_case
   std::vector<Curve_segment> segments; ///< the curve of each halfedge, by its index
   std::vector<char> corners;           ///< is the vertex of this index a corner?
 
-  /// returns a property map from the halfedges of `mesh` to their curves, valid as long as the case is
-  /// neither moved nor changed.
+  /// returns a property map from the halfedges of `mesh` to their curves, valid as long as the case
+  /// is neither moved nor changed.
   auto halfedge_curve_map() const
   {
     return boost::make_iterator_property_map(segments.begin(), get(boost::halfedge_index, mesh));
   }
 
-  /// returns a property map that tells which vertices of `mesh` are corners, valid as long as the case
-  /// is neither moved nor changed.
+  /// returns a property map that tells which vertices of `mesh` are corners, valid as long as the
+  /// case is neither moved nor changed.
   auto vertex_is_corner_map() const
   {
     return boost::make_iterator_property_map(corners.begin(), get(boost::vertex_index, mesh));

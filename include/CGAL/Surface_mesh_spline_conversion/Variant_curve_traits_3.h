@@ -21,12 +21,12 @@ namespace Surface_mesh_spline_conversion {
 /*!
 \ingroup PkgSurfaceMeshSplineConversionCurveTraits
 
-The class `Variant_curve_traits_3` lets one mesh be bounded by curves of several kinds: its curves are
-`std::variant`s of the curves of other traits classes.
+The class `Variant_curve_traits_3` lets one mesh be bounded by curves of several kinds: its curves
+are `std::variant`s of the curves of other traits classes.
 
 \tparam FirstTraits a model of `BoundaryCurveTraits_3`
-\tparam OtherTraits models of `BoundaryCurveTraits_3` with the same number, point and vector types, and
-        pairwise different curve types
+\tparam OtherTraits models of `BoundaryCurveTraits_3` with the same number, point and vector types,
+        and pairwise different curve types
 
 \cgalModels{BoundaryCurveTraits_3}
 */

@@ -60,7 +60,8 @@ public:
       m_points.push_back(get(vpm, source(h, tm)));
   }
 
-  // interpolates between the vertices at which the edges turn by more than `corner_angle` (in radians).
+  // interpolates between the vertices at which the edges turn by more than `corner_angle` (in
+  // radians).
   void operator()(const FT& corner_angle) const
   {
     // a regular polygon that turns by just this angle shall not get corners here and there
@@ -114,8 +115,8 @@ private:
 
 makes boundary curves for an open mesh that comes without: cubic \f$ C^2 \f$ splines through the
 boundary vertices, with chord-length parameters. A loop without corner gets one periodic spline;
-otherwise there is one spline (with the not-a-knot condition at its ends) between each two consecutive
-corners.
+otherwise there is one spline (with the not-a-knot condition at its ends) between each two
+consecutive corners.
 
 \tparam TriangleMesh a model of `HalfedgeListGraph` and `FaceListGraph`
 \tparam K a model of `Kernel` with a floating-point number type
@@ -140,8 +141,8 @@ corners.
     \cgalParamDefault{`boost::get(CGAL::vertex_point, tm)`}
   \cgalParamNEnd
   \cgalParamNBegin{corner_angle}
-    \cgalParamDescription{a boundary vertex becomes a corner if the boundary edges turn there by more
-                           than this angle, in degrees}
+    \cgalParamDescription{a boundary vertex becomes a corner if the boundary edges turn there by
+                           more than this angle, in degrees}
     \cgalParamType{a number between 0 and 180}
     \cgalParamDefault{30}
   \cgalParamNEnd

@@ -23,8 +23,8 @@ namespace IO {
 /*!
 \ingroup PkgSurfaceMeshSplineConversionIO
 
-reads a case: a folder with the file `case.json`, and next to it the mesh and optionally the B-Rep that
-it bounds.
+reads a case: a folder with the file `case.json`, and next to it the mesh and optionally the B-Rep
+that it bounds.
 
 \tparam K a model of `Kernel` with a floating-point number type
 
@@ -32,8 +32,8 @@ it bounds.
 \param result the case; its former contents are lost
 \param message if reading fails, a sentence that names the file and the line or element
 
-\return `true` if the files were read and are consistent. Whether the curves fit to the mesh is checked
-        by `Boundary_curve_network_3`.
+\return `true` if the files were read and are consistent. Whether the curves fit to the mesh is
+        checked by `Boundary_curve_network_3`.
 */
 template <typename K>
 bool read_case(const std::string& path,

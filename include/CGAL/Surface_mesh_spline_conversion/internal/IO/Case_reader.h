@@ -306,7 +306,8 @@ private:
   static Vertex_index read_vertex(const JSON_value& value, const Mesh& mesh)
   {
     if(value.as_index() >= num_vertices(mesh))
-      throw JSON_error(value.place() + "the mesh has no vertex " + std::to_string(value.as_index()));
+      throw JSON_error(value.place() + "the mesh has no vertex "
+                       + std::to_string(value.as_index()));
     return Vertex_index(static_cast<typename Mesh::size_type>(value.as_index()));
   }
 

@@ -30,8 +30,8 @@ struct JSON_error : std::runtime_error
   using std::runtime_error::runtime_error;
 };
 
-// A JSON document. The accessors throw a JSON_error that names the line of the value if it is not of
-// the kind asked for.
+// A JSON document. The accessors throw a JSON_error that names the line of the value if it is not
+// of the kind asked for.
 class JSON_value
 {
 public:
@@ -115,8 +115,8 @@ private:
   }
 };
 
-// A parser of JSON (RFC 8259). Strings keep their \\u escapes: no name or file of this package needs
-// them.
+// A parser of JSON (RFC 8259). Strings keep their hexadecimal escapes: no name or file of this
+// package needs them.
 class JSON_parser
 {
   typedef JSON_value::size_type size_type;

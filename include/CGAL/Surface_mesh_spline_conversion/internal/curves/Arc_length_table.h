@@ -62,7 +62,7 @@ public:
   template <typename Function>
   static void for_each(const FT& x, const Function& f)
   {
-    FT previous(-1), current(1); // P_{-1} = -1 makes the integral of P_0 fit the formula of the others
+    FT previous(-1), current(1); // P_{-1} = -1 makes the formula of the integral fit P_0, too
     for(int k = 0; k < n; ++k)
     {
       const FT next = factors[k].of_x * x * current - factors[k].of_previous * previous;
@@ -159,8 +159,8 @@ public:
     return piece->begin + length_and_speed(*piece, x_inside).first;
   }
 
-  // returns the place at the arc length s, which is clamped to [0, length()]. At the begin of an edge
-  // it is exactly the first parameter of that edge.
+  // returns the place at the arc length s, which is clamped to [0, length()]. At the begin of an
+  // edge it is exactly the first parameter of that edge.
   Position locate(const FT& s) const
   {
     CGAL_precondition(!m_pieces.empty());

@@ -92,7 +92,8 @@ private:
       : a(n, FT(0)), b(n, FT(0)), c(n, FT(0)), d(n, Vector_3(FT(0), FT(0), FT(0)))
     {}
 
-    // solves by elimination without pivoting; all systems below are diagonally dominant or nearly so.
+    // solves by elimination without pivoting; all systems below are diagonally dominant or nearly
+    // so.
     std::vector<Vector_3> solve() const
     {
       const size_type n = b.size();
@@ -115,8 +116,15 @@ private:
   Vector_3 secant(size_type i) const { return (m_points[i + 1] - m_points[i]) / width(i); }
 
   // the inner Bezier points of the spans next to a point
-  Point_3 right_point(size_type i) const { return m_points[i] + (width(i) / FT(3)) * m_slopes[i]; }
-  Point_3 left_point(size_type i) const { return m_points[i] - (width(i - 1) / FT(3)) * m_slopes[i]; }
+  Point_3 right_point(size_type i) const
+  {
+    return m_points[i] + (width(i) / FT(3)) * m_slopes[i];
+  }
+
+  Point_3 left_point(size_type i) const
+  {
+    return m_points[i] - (width(i - 1) / FT(3)) * m_slopes[i];
+  }
 
   // sets the row of equal second derivatives at a point between spans `before` and `after`.
   void set_smooth_row(Tridiagonal_system& system, size_type row, size_type before,
