@@ -67,7 +67,16 @@ struct T_mesh
   int source(int half_arc) const { return arcs[half_arc / 2].node[half_arc & 1]; }
   int target(int half_arc) const { return arcs[half_arc / 2].node[1 - (half_arc & 1)]; }
   int target_slot(int half_arc) const { return arcs[half_arc / 2].slot[1 - (half_arc & 1)]; }
-  const Chart_ray& ray(int half_arc) const { return arcs[half_arc / 2].ray[half_arc & 1]; }
+
+  // the start of a half-arc, with its direction
+  Chart_ray ray(int half_arc) const
+  {
+    Chart_ray start = arcs[half_arc / 2].ray[half_arc & 1];
+    if(half_arc & 1)
+      start.direction ^= 2;
+    return start;
+  }
+
   std::int64_t length(int half_arc) const { return arcs[half_arc / 2].length; }
 
   bool is_outside(int half_arc) const
