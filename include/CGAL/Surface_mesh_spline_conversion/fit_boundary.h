@@ -18,9 +18,7 @@
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/fit_parameters.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/named_parameters.h>
 
-#include <CGAL/number_utils.h>
-
-#include <cstddef>
+#include <type_traits>
 
 namespace CGAL {
 namespace Surface_mesh_spline_conversion {

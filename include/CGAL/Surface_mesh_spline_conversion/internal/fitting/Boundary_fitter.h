@@ -16,6 +16,7 @@
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/Cached_curve_target.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/fit_parameters.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/plan_bisection.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/fitting/to_eigen.h>
 
 #include <CGAL/Real_timer.h>
 #include <CGAL/number_utils.h>
@@ -54,13 +55,6 @@ class Boundary_fitter
     Eigen::Vector3d derivative(double x) const
     {
       return to_eigen(target->curve_derivative(chain, FT(x), 1));
-    }
-
-    template <typename Triple>
-    static Eigen::Vector3d to_eigen(const Triple& p)
-    {
-      return Eigen::Vector3d(CGAL::to_double(p.x()), CGAL::to_double(p.y()),
-                             CGAL::to_double(p.z()));
     }
   };
 

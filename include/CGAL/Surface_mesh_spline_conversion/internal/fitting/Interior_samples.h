@@ -11,7 +11,8 @@
 
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
-#include <CGAL/assertions.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/fitting/to_eigen.h>
+
 #include <CGAL/number_utils.h>
 
 #include <Eigen/Core>
@@ -26,12 +27,6 @@
 namespace CGAL {
 namespace Surface_mesh_spline_conversion {
 namespace internal {
-
-template <typename Triple>
-Eigen::Vector3d to_eigen(const Triple& p)
-{
-  return Eigen::Vector3d(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
-}
 
 // The samples of a surface and of its target at one refinement level (paper, section 3.3.1): a
 // uniform grid of 5x5 samples on each patch for the fit, nested in a grid of 9x9 for the error.
