@@ -145,57 +145,25 @@ Picture_scene surface_scene(const SurfaceRange& surfaces, Patch_lines lines)
   return scene;
 }
 
-// Returns the points of a surface at the corners of the layout quads, one for each quad at a vertex.
-template <typename Surface>
-std::vector<Picture_scene::Point> quad_corners(const Surface& surface)
-{
-  std::vector<Picture_scene::Point> corners;
-  for(std::size_t patch = 0; patch < surface.number_of_patches(); ++patch)
-  {
-    const auto rectangle = surface.patch_origin(patch);
-    for(const auto u : {rectangle.u0, rectangle.u1})
-      for(const auto v : {rectangle.v0, rectangle.v1})
-        if((u == 0 || u == 1) && (v == 0 || v == 1))
-          corners.push_back(to_picture_point(surface.position(patch, u, v)));
-  }
-  return corners;
-}
-
-// Marks the vertices of the layout at which neither one (a corner), two (the boundary) nor four
-// quads meet. Quads meet where their corners have the same position up to rounding.
-inline void mark_irregular_points(std::vector<Picture_scene::Point> corners, Picture_scene& scene)
-{
-  const double relative_rounding = 1e-9; // far above rounding, far below the size of a quad
-  double extent = 0;
-  for(const Picture_scene::Point& p : corners)
-    extent = (std::max)({extent, std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
-  const double tolerance = relative_rounding * extent;
-  std::sort(corners.begin(), corners.end());
-  std::vector<bool> is_counted(corners.size(), false);
-  for(std::size_t i = 0; i < corners.size(); ++i)
-  {
-    if(is_counted[i])
-      continue;
-    std::size_t valence = 0;
-    for(std::size_t j = i; j < corners.size() && corners[j][0] - corners[i][0] <= tolerance; ++j)
-      if(!is_counted[j] && std::abs(corners[j][1] - corners[i][1]) <= tolerance
-         && std::abs(corners[j][2] - corners[i][2]) <= tolerance)
-      {
-        is_counted[j] = true;
-        ++valence;
-      }
-    const Picture_scene::Color red = {{205, 35, 30}}, blue = {{30, 80, 200}};
-    const Picture_scene::Color violet = {{150, 40, 170}};
-    if(valence == 3 || valence > 4)
-      scene.marks.push_back({corners[i], valence == 3 ? red : valence == 5 ? blue : violet, 4.});
-  }
-}
-
+// Marks the extraordinary points, with a colour for each valence.
 template <typename SurfaceRange>
 void add_extraordinary_points(const SurfaceRange& surfaces, Picture_scene& scene)
 {
+  const Picture_scene::Color red = {{205, 35, 30}}, blue = {{30, 80, 200}};
+  const Picture_scene::Color violet = {{150, 40, 170}};
+  const double radius = 4;
   for(const auto& surface : surfaces)
-    mark_irregular_points(quad_corners(surface), scene);
+    for(std::size_t i = 0; i < surface.number_of_extraordinary_points(); ++i)
+    {
+      const auto ring = surface.extraordinary_ring(i, surface.minimum_ring_level(i));
+      const auto& sector = ring.sectors.front();
+      const bool is_right = sector.corner == 1 || sector.corner == 2, is_upper = sector.corner >= 2;
+      const auto point = surface.position(sector.patch, is_right ? sector.u1 : sector.u0,
+                                          is_upper ? sector.v1 : sector.v0);
+      const int valence = ring.valence();
+      scene.marks.push_back({to_picture_point(point),
+                             (valence == 3) ? red : (valence == 5) ? blue : violet, radius});
+    }
 }
 
 } // namespace internal
