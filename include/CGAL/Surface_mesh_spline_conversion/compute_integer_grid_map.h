@@ -46,8 +46,9 @@ is solved again with these lengths.
 */
 template <typename NamedParameters = parameters::Default_named_parameters>
 Error_code compute_integer_grid_map(const Cross_field& field, Integer_grid_map& map,
-                                    const NamedParameters& = parameters::default_values())
+                                    const NamedParameters& np = parameters::default_values())
 {
+  CGAL_USE(np);
   map = Integer_grid_map();
   internal::Seamless_map seamless;
   const Error_code code = internal::compute_seamless_map(field, seamless);
