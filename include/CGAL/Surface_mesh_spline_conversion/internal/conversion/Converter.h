@@ -14,10 +14,12 @@
 #include <CGAL/Surface_mesh_spline_conversion/Boundary_curve_network_3.h>
 #include <CGAL/Surface_mesh_spline_conversion/Conversion_report.h>
 #include <CGAL/Surface_mesh_spline_conversion/Error_code.h>
+#include <CGAL/Surface_mesh_spline_conversion/NURBS_shell_3.h>
 #include <CGAL/Surface_mesh_spline_conversion/Quad_layout.h>
 #include <CGAL/Surface_mesh_spline_conversion/Transfinite_patch_network_3.h>
 #include <CGAL/Surface_mesh_spline_conversion/compute_cross_field.h>
 #include <CGAL/Surface_mesh_spline_conversion/compute_integer_grid_map.h>
+#include <CGAL/Surface_mesh_spline_conversion/extract_NURBS_faces.h>
 #include <CGAL/Surface_mesh_spline_conversion/extract_quad_layout.h>
 #include <CGAL/Surface_mesh_spline_conversion/fit_boundary.h>
 #include <CGAL/Surface_mesh_spline_conversion/fit_interior.h>
@@ -167,6 +169,10 @@ private:
       });
     if(code == Error_code::OK)
       code = run("integer_grid_map", part, [&]() { return compute_integer_grid_map(field, map); });
+    if(code != Error_code::OK && !map.message.empty())
+      part.message = map.message;
+    else if(code == Error_code::OK && !map.is_resolved)
+      part.map.fallback = "rectangle composition: " + map.message;
     if(code == Error_code::OK)
       code = run("quad_layout", part, [&]()
         { return extract_quad_layout(map, component.mesh, network, layout); });
@@ -180,6 +186,11 @@ private:
   {
     const Target target(layout, network, component.mesh);
     Surface surface(layout);
+    if(surface.error() != Error_code::OK)
+    {
+      part.message = surface.message();
+      return surface.error();
+    }
     const auto np = parameters::boundary_tolerance(m_options.boundary_tolerance)
                       .interior_tolerance(m_options.interior_tolerance)
                       .error_metric(m_options.error_metric)
@@ -195,10 +206,58 @@ private:
     }
     if(!is_surface(result))
       return result;
+    count(surface, part);
     const Error_code code = run("measure_deviation", part, [&]()
       { return measure(surface, component, network, part); });
     m_surfaces.push_back(std::move(surface));
     return code == Error_code::OK ? result : code;
+  }
+
+  // measures the surface as it leaves for a CAD system, caps included.
+  Error_code measure(const Surface& surface, const Component& component,
+                     const Component_network& network, Conversion_report& part)
+  {
+    const auto tolerance = parameters::interior_tolerance(m_options.interior_tolerance);
+    NURBS_shell_3<Kernel> shell;
+    extract_NURBS_faces(surface, shell, tolerance);
+    Deviation<Kernel> deviation;
+    measure_deviation(shell, component.mesh, network, deviation, tolerance);
+    part.boundary.max_deviation = CGAL::to_double(deviation.boundary_maximum);
+    part.boundary.mean_deviation = CGAL::to_double(deviation.boundary_mean);
+    part.boundary.worst_curve = deviation.worst_chain;
+    part.boundary.worst_parameter = CGAL::to_double(deviation.worst_arc_length);
+    part.boundary.max_corner_error = CGAL::to_double(deviation.corner_maximum);
+    part.interior.max_deviation = CGAL::to_double(deviation.interior_maximum);
+    part.interior.mean_deviation = CGAL::to_double(deviation.interior_mean);
+    part.interior.fraction_within_delta = CGAL::to_double(deviation.fraction_within);
+    for(int i = 0; i < 3; ++i)
+      part.interior.worst[i] = CGAL::to_double(deviation.interior_worst[i]);
+    part.smoothness.max_normal_angle_degrees = CGAL::to_double(deviation.normal_angle_maximum);
+    part.counts.nurbs_faces = shell.number_of_faces();
+    return check_deviation(deviation, part);
+  }
+
+  // The fits have the last word on the tolerances of the surface; this is the independent one.
+  Error_code check_deviation(const Deviation<Kernel>& deviation, Conversion_report& part) const
+  {
+    if(part.boundary.max_deviation > m_options.boundary_tolerance)
+      part.message = "the boundary of the surface is farther from the curves than the tolerance";
+    else if(part.interior.max_deviation > m_options.interior_tolerance)
+      part.message = "the surface is farther from the mesh than the tolerance";
+    else if(deviation.faces_against_mesh > 0)
+      part.message = "the surface is folded over: a face looks the other way than the mesh";
+    else
+      return Error_code::OK;
+    return Error_code::TOLERANCE_NOT_REACHED;
+  }
+
+  static void count(const Surface& surface, Conversion_report& part)
+  {
+    part.counts.patches = surface.number_of_patches();
+    part.counts.control_points = surface.number_of_control_points();
+    part.counts.extraordinary_points = surface.number_of_extraordinary_points();
+    part.counts.t_junctions = surface.number_of_t_junctions();
+    part.counts.bezier_elements = surface.bezier_elements(1).size();
   }
 
   static bool is_surface(Error_code code)
