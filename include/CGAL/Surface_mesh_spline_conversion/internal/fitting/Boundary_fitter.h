@@ -112,8 +112,12 @@ private:
     const auto curve = m_surface.boundary_curve(chain);
     for(const auto& x : curve.knots)
       result.knots.push_back(CGAL::to_double(x));
-    if(curve.closed)
-      result.period = static_cast<double>(m_target.number_of_sides(chain));
+    if(curve.is_closed)
+    {
+      // the last knot is the first one of the next period
+      result.period = result.knots.back() - result.knots.front();
+      result.knots.pop_back();
+    }
     return result;
   }
 
