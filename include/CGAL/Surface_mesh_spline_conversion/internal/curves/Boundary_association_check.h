@@ -178,9 +178,9 @@ private:
                             && curve.derivative_at_end(1) * chord < FT(0);
     if(!is_against)
       return std::string();
-    return "the curve runs against the edge at both ends; the parameters " + number(m_segments[i].first)
-           + " and " + number(m_segments[i].second) + " lead the long way round, or the mesh is too "
-             "coarse there.";
+    return "the curve runs against the edge at both ends; the parameters "
+           + number(m_segments[i].first) + " and " + number(m_segments[i].second)
+           + " lead the long way round, or the mesh is too coarse there.";
   }
 
   bool is_reversed(size_type i) const
