@@ -1,0 +1,306 @@
+// Copyright (c) 2026 the authors of the package Surface_mesh_spline_conversion.
+// All rights reserved.
+//
+// This file is part of the package Surface_mesh_spline_conversion, which is being
+// prepared for submission to CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+#ifndef CGAL_SURFACE_MESH_SPLINE_CONVERSION_TRANSFINITE_PATCH_NETWORK_3_H
+#define CGAL_SURFACE_MESH_SPLINE_CONVERSION_TRANSFINITE_PATCH_NETWORK_3_H
+
+#include <CGAL/license/Surface_mesh_spline_conversion.h>
+
+#include <CGAL/Surface_mesh_spline_conversion/Boundary_curve_network_3.h>
+#include <CGAL/Surface_mesh_spline_conversion/Quad_layout.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/patches/Layout_boundary.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/patches/Mesh_projection.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/patches/foot_point_on_patch.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/patches/quad_sides.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/number_utils.h>
+#include <CGAL/squared_distance_3.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_spline_conversion {
+
+/*!
+\ingroup PkgSurfaceMeshSplineConversionRef
+
+The class `Transfinite_patch_network_3` is the surface that `fit_boundary()` and `fit_interior()`
+approximate: a \f$ C^0 \f$ network of patches, one per quad of a layout, that interpolates the
+boundary curves and coincides with the mesh in all quads without a boundary side.
+
+A point of a quad with a boundary side is the point of the mesh given by the inverse map of the
+layout plus a displacement that blends the gaps between the curves and the boundary of the mesh.
+The parameter of a boundary chain runs by one along each quad side. It is related to the arc length
+by a function that is \f$ C^2 \f$ and monotone: the vertices of the layout slide along the curves,
+and the inverse map is warped accordingly in the quads with a boundary side.
+
+The class keeps references to the layout, to the mesh and to the network of curves.
+
+\tparam GeomTraits a model of `Kernel`
+\tparam TriangleMesh a model of `FaceListGraph`
+\tparam BoundaryCurveTraits a model of `BoundaryCurveTraits_3` with the same point type
+*/
+template <typename GeomTraits, typename TriangleMesh, typename BoundaryCurveTraits>
+class Transfinite_patch_network_3
+{
+public:
+  typedef std::size_t size_type;
+  typedef typename GeomTraits::FT FT;
+  typedef typename GeomTraits::Point_3 Point_3;
+  typedef typename GeomTraits::Vector_3 Vector_3;
+  typedef Quad_layout<GeomTraits> Layout;
+  typedef Boundary_curve_network_3<TriangleMesh, BoundaryCurveTraits> Network;
+
+  /// \name Creation
+  /// @{
+
+  /*!
+  constructs the patches.
+
+  \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+  \param layout a quad layout of `tm` with an inverse map
+  \param network the boundary curves of `tm`; it has no chain if `tm` is closed
+  \param tm the mesh
+  \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the one below
+
+  \cgalNamedParamsBegin
+    \cgalParamNBegin{vertex_point_map}
+      \cgalParamDescription{a property map associating points to the vertices of `tm`}
+      \cgalParamType{a class model of `ReadablePropertyMap` with
+                     `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and
+                     `GeomTraits::Point_3` as value type}
+      \cgalParamDefault{`boost::get(CGAL::vertex_point, tm)`}
+    \cgalParamNEnd
+  \cgalNamedParamsEnd
+
+  \pre every boundary side of the layout names a chain of the network
+  */
+  template <typename NamedParameters = parameters::Default_named_parameters>
+  Transfinite_patch_network_3(const Layout& layout, const Network& network, const TriangleMesh& tm,
+                              const NamedParameters& np = parameters::default_values())
+    : m_layout(layout), m_network(network), m_boundary(layout, tm, network)
+  {
+    using parameters::choose_parameter;
+    using parameters::get_parameter;
+    m_mesh = std::make_shared<internal::Mesh_projection>(
+      tm, choose_parameter(get_parameter(np, internal_np::vertex_point),
+                           get_const_property_map(vertex_point, tm)));
+    find_quad_sizes();
+    find_corner_displacements();
+  }
+
+  /// @}
+  /// \name Boundary
+  /// @{
+
+  /// returns the number of chains of the network.
+  size_type number_of_chains() const { return m_boundary.number_of_chains(); }
+
+  /// returns `true` if `chain` is a loop without corner.
+  bool is_closed(size_type chain) const { return m_boundary.correspondence(chain).is_closed(); }
+
+  /// returns the number of quad sides of `chain`, which is the length of its parameter range.
+  size_type number_of_sides(size_type chain) const { return m_boundary.sides(chain).size(); }
+
+  /// returns the arc length at the parameter `x`, in model units; periodic up to the length of the
+  /// chain if it is closed.
+  FT arc_length(size_type chain, const FT& x) const
+  {
+    return FT(m_boundary.correspondence(chain)(CGAL::to_double(x)));
+  }
+
+  /// returns the point of the curve at the parameter `x` of `chain`.
+  Point_3 curve_point(size_type chain, const FT& x) const
+  {
+    return m_network.point(chain, arc_length(chain, x));
+  }
+
+  /// returns the derivative of order one or two of the curve with respect to the parameter `x`.
+  Vector_3 curve_derivative(size_type chain, const FT& x, int order) const
+  {
+    const internal::Boundary_correspondence& s = m_boundary.correspondence(chain);
+    const double xd = CGAL::to_double(x);
+    const FT speed(s(xd, 1));
+    const Vector_3 tangent = m_network.derivative(chain, FT(s(xd)), 1);
+    if(order == 1)
+      return speed * tangent;
+    return (speed * speed) * m_network.derivative(chain, FT(s(xd)), 2) + FT(s(xd, 2)) * tangent;
+  }
+
+  /// @}
+  /// \name Patches
+  /// @{
+
+  /// returns the diameter of the smallest sphere enclosing the vertices of the mesh.
+  FT diameter() const { return m_network.diameter(); }
+
+  /// returns the layout.
+  const Layout& layout() const { return m_layout; }
+
+  /// returns the mean length of the sides of `quad`, in model units.
+  const FT& quad_size(size_type quad) const { return m_quad_sizes[quad]; }
+
+  /// returns `true` if a side of `quad` lies on the boundary.
+  bool is_boundary_quad(size_type quad) const { return m_boundary.quad_sides(quad) != nullptr; }
+
+  /// returns the point at the local coordinates `(u,v)` of `quad`, in \f$ [0,1]^2 \f$.
+  Point_3 point(size_type quad, const FT& u, const FT& v) const
+  {
+    const Quad_sides* sides = m_boundary.quad_sides(quad);
+    if(sides == nullptr)
+      return m_layout.inverse_map()(quad, u, v).point;
+    return boundary_quad_point(quad, *sides, u, v);
+  }
+
+  /*!
+  returns the point of the patches that is closest to `p`, in the neighbourhood of the local
+  coordinates `(u,v)` of `quad`.
+
+  If the closest point of the mesh is further away from `point(quad, u, v)` than a quarter of the
+  size of the quad, or lies on a face with opposite orientation, it belongs to another part of the
+  mesh; then `point(quad, u, v)` is returned.
+  */
+  Point_3 foot_point(const Point_3& p, size_type quad, const FT& u, const FT& v) const
+  {
+    if(is_boundary_quad(quad))
+      return internal::foot_point_on_patch(*this, p, quad, u, v);
+    const typename Layout::Location start = m_layout.inverse_map()(quad, u, v);
+    const Mesh_projection::Point_3 query = Mesh_projection::to_double_point(p);
+    const Mesh_projection::Foot hint{Mesh_projection::to_double_point(start.point), start.face};
+    const Mesh_projection::Foot foot = (*m_mesh)(query, hint);
+    const double limit = largest_move * CGAL::to_double(m_quad_sizes[quad]);
+    const bool is_near = CGAL::squared_distance(foot.point, hint.point) <= limit * limit;
+    const bool is_same_side
+      = foot.face == hint.face || m_mesh->normal(foot.face) * m_mesh->normal(hint.face) > 0;
+    if(!is_near || !is_same_side)
+      return start.point;
+    return Point_3(FT(foot.point.x()), FT(foot.point.y()), FT(foot.point.z()));
+  }
+
+  /// @}
+
+private:
+  typedef internal::Layout_boundary<GeomTraits> Layout_boundary;
+  typedef typename Layout_boundary::Quad_sides Quad_sides;
+  typedef typename Layout_boundary::Quad_side Quad_side;
+  typedef internal::Mesh_projection Mesh_projection;
+
+  // foot points are accepted up to this share of the size of a quad away from the target
+  static constexpr double largest_move = 0.25;
+
+  void find_quad_sizes()
+  {
+    for(size_type q = 0; q < m_layout.number_of_quads(); ++q)
+    {
+      double sum = 0;
+      for(int i = 0; i < 4; ++i)
+        sum += std::sqrt(CGAL::to_double(squared_distance(m_layout.point(m_layout.vertex(q, i)),
+                                                          m_layout.point(m_layout.vertex(q, i + 1)))));
+      m_quad_sizes.push_back(FT(sum / 4));
+    }
+  }
+
+  // The displacement of a corner between two boundary sides vanishes but for rounding, as curves
+  // and mesh meet there. It is taken off, so that the boundary is interpolated exactly.
+  void find_corner_displacements()
+  {
+    m_corner_displacements.assign(m_layout.number_of_quads(), nullptr);
+    for(size_type q = 0; q < m_layout.number_of_quads(); ++q)
+    {
+      const Quad_sides* sides = m_boundary.quad_sides(q);
+      for(int i = 0; sides != nullptr && i < 4; ++i)
+        if((*sides)[i].is_on_boundary() && (*sides)[(i + 3) & 3].is_on_boundary())
+        {
+          if(!m_corner_displacements[q])
+            m_corner_displacements[q] = std::make_shared<Corner_displacements>(no_displacements());
+          (*m_corner_displacements[q])[i] = side_displacement(q, i, (*sides)[i], FT(0), FT(0));
+        }
+    }
+  }
+
+  typedef std::array<Vector_3, 4> Corner_displacements;
+
+  static Corner_displacements no_displacements()
+  {
+    Corner_displacements result;
+    result.fill(Vector_3(FT(0), FT(0), FT(0)));
+    return result;
+  }
+
+  Point_3 inverse_map_across(size_type quad, const FT& u, const FT& v) const
+  {
+    const internal::Quad_point<FT> p
+      = internal::cross_sides(m_layout, internal::Quad_point<FT>{quad, u, v});
+    return m_layout.inverse_map()(p.quad, p.u, p.v).point;
+  }
+
+  FT slide(const Quad_side& side, const FT& t) const
+  {
+    return FT(m_boundary.slide(side.chain, double(side.index) + CGAL::to_double(t)));
+  }
+
+  // returns mu_i(t) of section 2.3 of the paper, for the inverse map warped by `slide`
+  Vector_3 side_displacement(size_type quad, int i, const Quad_side& side, const FT& t,
+                             const FT& slide) const
+  {
+    const std::array<FT, 2> uv = internal::from_side<FT>(i, t + slide, FT(0));
+    return curve_point(side.chain, FT(double(side.index)) + t)
+           - inverse_map_across(quad, uv[0], uv[1]);
+  }
+
+  // section 2.3 of the paper: the mesh, warped by the slides, plus the blended displacements of
+  // all boundary sides. Side i acts on a point with the weight 1 - d, d its distance to the side.
+  Point_3 boundary_quad_point(size_type quad, const Quad_sides& sides, const FT& u,
+                              const FT& v) const
+  {
+    FT warped_u = u, warped_v = v;
+    Vector_3 displacement(FT(0), FT(0), FT(0));
+    for(int i = 0; i < 4; ++i)
+    {
+      if(!sides[i].is_on_boundary())
+        continue;
+      const std::array<FT, 2> td = internal::to_side<FT>(i, u, v);
+      if(td[1] == FT(0))
+        return curve_point(sides[i].chain, FT(double(sides[i].index)) + td[0]);
+      const FT weight = FT(1) - td[1], side_slide = slide(sides[i], td[0]);
+      displacement
+        = displacement + weight * side_displacement(quad, i, sides[i], td[0], side_slide);
+      const FT move = weight * side_slide;
+      (i % 2 == 0 ? warped_u : warped_v) += (i < 2 ? move : -move);
+    }
+    if(m_corner_displacements[quad])
+      displacement = displacement - blended_corners(*m_corner_displacements[quad], u, v);
+    return inverse_map_across(quad, warped_u, warped_v) + displacement;
+  }
+
+  static Vector_3 blended_corners(const Corner_displacements& corners, const FT& u, const FT& v)
+  {
+    const FT u0 = FT(1) - u, v0 = FT(1) - v;
+    return (u0 * v0) * corners[0] + (u * v0) * corners[1] + (u * v) * corners[2]
+           + (u0 * v) * corners[3];
+  }
+
+  const Layout& m_layout;
+  const Network& m_network;
+  Layout_boundary m_boundary;
+  std::shared_ptr<const Mesh_projection> m_mesh;
+  std::vector<FT> m_quad_sizes;
+  std::vector<std::shared_ptr<Corner_displacements> > m_corner_displacements;
+};
+
+} // namespace Surface_mesh_spline_conversion
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_SPLINE_CONVERSION_TRANSFINITE_PATCH_NETWORK_3_H

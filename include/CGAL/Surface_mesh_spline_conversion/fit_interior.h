@@ -1,0 +1,108 @@
+// Copyright (c) 2026 the authors of the package Surface_mesh_spline_conversion.
+// All rights reserved.
+//
+// This file is part of the package Surface_mesh_spline_conversion, which is being
+// prepared for submission to CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+#ifndef CGAL_SURFACE_MESH_SPLINE_CONVERSION_FIT_INTERIOR_H
+#define CGAL_SURFACE_MESH_SPLINE_CONVERSION_FIT_INTERIOR_H
+
+#include <CGAL/license/Surface_mesh_spline_conversion.h>
+
+#include <CGAL/Surface_mesh_spline_conversion/Conversion_report.h>
+#include <CGAL/Surface_mesh_spline_conversion/Default_visitor.h>
+#include <CGAL/Surface_mesh_spline_conversion/Error_code.h>
+#include <CGAL/Surface_mesh_spline_conversion/Error_metric.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/fitting/Interior_fitter.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/fitting/fit_parameters.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/named_parameters.h>
+
+#include <type_traits>
+
+namespace CGAL {
+namespace Surface_mesh_spline_conversion {
+
+/*!
+\ingroup PkgSurfaceMeshSplineConversionFunctions
+
+fits the interior of `surface` to `target`, and refines the surface until the distance of both is
+below a tolerance. The boundary control points, which `fit_boundary()` has set, are kept; where the
+refinement adds boundary control points, the boundary is fitted again.
+
+The control points are the least-squares fit to samples of the target, first at equal parameters and
+then, unless the error metric is parametric, at the points of the target closest to the surface. The
+distance is measured at the nodes of a 9x9 grid per patch, after the last fit.
+
+\tparam Surface a `CGAL::T_NURCC_surface_3`
+\tparam Target a `Transfinite_patch_network_3`
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param surface the surface; its inner control points are set, and it is refined where necessary
+\param target the target, made from the same layout as `surface`
+\param report receives the errors reached (`interior`, and `boundary` if the boundary was fitted
+              again), the entries of the iterations, and a message if something went wrong
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
+          below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{interior_tolerance}
+    \cgalParamDescription{the largest distance between surface and target, in model units}
+    \cgalParamType{a number type convertible to `double`}
+    \cgalParamDefault{`1e-3` times the diameter of the mesh}
+  \cgalParamNEnd
+  \cgalParamNBegin{boundary_tolerance}
+    \cgalParamDescription{the largest distance between the boundary and the curves, in model units}
+    \cgalParamType{a number type convertible to `double`}
+    \cgalParamDefault{`1e-6` times the diameter of the mesh}
+  \cgalParamNEnd
+  \cgalParamNBegin{error_metric}
+    \cgalParamDescription{how the distance is measured}
+    \cgalParamType{`Error_metric`}
+    \cgalParamDefault{`Error_metric::REPROJECTED`}
+  \cgalParamNEnd
+  \cgalParamNBegin{maximum_number_of_patches}
+    \cgalParamDescription{the surface is not refined if it would have more patches than that}
+    \cgalParamType{`std::size_t`}
+    \cgalParamDefault{`200000`}
+  \cgalParamNEnd
+  \cgalParamNBegin{visitor}
+    \cgalParamDescription{an object that is told of each iteration, and may interrupt the fit}
+    \cgalParamType{a class model of `SplineConversionVisitor`}
+    \cgalParamDefault{`Default_visitor`}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return `Error_code::OK` if the tolerances are met; `Error_code::TOLERANCE_NOT_REACHED` if one is
+        not, `Error_code::INTERRUPTED`, `Error_code::INVALID_PARAMETER`, or
+        `Error_code::SINGULAR_SYSTEM`
+*/
+template <typename Surface, typename Target,
+          typename NamedParameters = parameters::Default_named_parameters>
+Error_code fit_interior(Surface& surface, const Target& target, Conversion_report& report,
+                        const NamedParameters& np = parameters::default_values())
+{
+  typedef typename internal_np::Lookup_named_param_def<internal_np::visitor_t, NamedParameters,
+                                                       Default_visitor>::reference Visitor_reference;
+  typedef typename std::decay<Visitor_reference>::type Visitor;
+
+  Default_visitor default_visitor;
+  Visitor_reference visitor = parameters::choose_parameter(
+    parameters::get_parameter_reference(np, internal_np::visitor), default_visitor);
+  const internal::Interior_fit_options options = internal::interior_fit_options(target, np);
+  const internal::Boundary_fit_options boundary_options
+    = internal::boundary_fit_options(target, np);
+  if(!(options.tolerance > 0) || !(boundary_options.tolerance > 0))
+  {
+    report.message = "a tolerance is not a positive number";
+    return Error_code::INVALID_PARAMETER;
+  }
+  return internal::Interior_fitter<Surface, Target, Visitor>(surface, target, options,
+                                                             boundary_options, visitor, report)();
+}
+
+} // namespace Surface_mesh_spline_conversion
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_SPLINE_CONVERSION_FIT_INTERIOR_H

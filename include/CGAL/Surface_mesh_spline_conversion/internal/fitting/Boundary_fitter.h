@@ -1,0 +1,244 @@
+// Copyright (c) 2026 the authors of the package Surface_mesh_spline_conversion.
+// All rights reserved.
+//
+// This file is part of the package Surface_mesh_spline_conversion, which is being
+// prepared for submission to CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+#ifndef CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_FITTING_BOUNDARY_FITTER_H
+#define CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_FITTING_BOUNDARY_FITTER_H
+
+#include <CGAL/license/Surface_mesh_spline_conversion.h>
+
+#include <CGAL/Surface_mesh_spline_conversion/Conversion_report.h>
+#include <CGAL/Surface_mesh_spline_conversion/Error_code.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/fitting/Cached_curve_target.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/fitting/fit_parameters.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/fitting/plan_bisection.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/to_eigen.h>
+
+#include <CGAL/Real_timer.h>
+#include <CGAL/number_utils.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_spline_conversion {
+namespace internal {
+
+// The boundary iteration of section 3.2 of the paper on a surface and a target, see fit_boundary().
+//
+// The refinement is planned chain by chain on univariate splines, which costs next to nothing; the
+// surface is then refined once to the planned knots, and to what its closure adds to them.
+template <typename Surface, typename Target, typename Visitor>
+class Boundary_fitter
+{
+  typedef std::size_t size_type;
+  typedef typename Target::FT FT;
+  typedef typename Surface::Point_3 Point_3;
+
+  // the curve of a chain as a curve target
+  struct Chain_target
+  {
+    const Target* target;
+    size_type chain;
+
+    Eigen::Vector3d point(double x) const { return to_eigen(target->curve_point(chain, FT(x))); }
+
+    Eigen::Vector3d derivative(double x) const
+    {
+      return to_eigen(target->curve_derivative(chain, FT(x), 1));
+    }
+  };
+
+public:
+  Boundary_fitter(Surface& surface, const Target& target, const Boundary_fit_options& options,
+                  Visitor& visitor, Conversion_report& report)
+    : m_surface(surface), m_target(target), m_options(options), m_visitor(visitor),
+      m_report(report)
+  {
+    for(size_type c = 0; c < target.number_of_chains(); ++c)
+      m_curves.emplace_back(Chain_target{&target, c});
+  }
+
+  Error_code operator()()
+  {
+    // two are enough unless the closure of the refinement moves errors to other spans
+    constexpr size_type maximum_number_of_iterations = 8;
+    for(size_type iteration = 0; iteration < maximum_number_of_iterations; ++iteration)
+    {
+      if(!m_visitor.go_further())
+        return Error_code::INTERRUPTED;
+      Real_timer timer;
+      timer.start();
+      if(iteration > 0 && !refine())
+        break;
+      if(!fit())
+        return fail(Error_code::SINGULAR_SYSTEM, "the boundary curve of chain "
+                    + std::to_string(m_worst_chain) + " could not be fitted");
+      record(iteration, timer.time());
+      if(m_worst.bound < m_options.tolerance)
+        break;
+    }
+    report_errors();
+    if(m_worst.bound < m_options.tolerance || m_curves.empty())
+      return Error_code::OK;
+    return fail(Error_code::TOLERANCE_NOT_REACHED, "the boundary tolerance was not reached: chain "
+                + std::to_string(m_worst_chain) + " has an error of " + std::to_string(m_worst.bound)
+                + "; allow more patches or a larger boundary tolerance");
+  }
+
+private:
+  // spans of a chain are not bisected further than 2^-14 quads: errors that are still too large
+  // there come from the input
+  static constexpr double shortest_span = 1. / 16384;
+
+  Error_code fail(Error_code code, const std::string& message)
+  {
+    m_report.message = message;
+    return code;
+  }
+
+  Chain_knots knots(size_type chain) const
+  {
+    Chain_knots result;
+    const auto curve = m_surface.boundary_curve(chain);
+    for(const auto& x : curve.knots)
+      result.knots.push_back(CGAL::to_double(x));
+    if(curve.is_closed)
+    {
+      // the last knot is the first one of the next period
+      result.period = result.knots.back() - result.knots.front();
+      result.knots.pop_back();
+    }
+    return result;
+  }
+
+  // fits all chains on the knots of the surface
+  bool fit()
+  {
+    m_worst = Span_error();
+    m_is_met.assign(m_curves.size(), true);
+    for(size_type c = 0; c < m_curves.size(); ++c)
+    {
+      if(m_target.number_of_sides(c) == 0)
+        continue;
+      const Chain_fit result = fit_chain(knots(c), m_curves[c]);
+      if(!result.is_solved)
+      {
+        m_worst_chain = c;
+        return false;
+      }
+      set_control_points(c, result.polygon);
+      const Span_error worst = result.worst();
+      m_is_met[c] = worst.bound < m_options.tolerance;
+      if(worst.bound > m_worst.bound)
+      {
+        m_worst = worst;
+        m_worst_chain = c;
+      }
+    }
+    return true;
+  }
+
+  void set_control_points(size_type chain, const Control_polygon& polygon)
+  {
+    const auto curve = m_surface.boundary_curve(chain);
+    CGAL_assertion(curve.control_points.size() == polygon.size());
+    for(size_type i = 0; i < polygon.size(); ++i)
+      m_surface.set_control_point(curve.control_points[i],
+                                  Point_3(FT(polygon[i][0]), FT(polygon[i][1]), FT(polygon[i][2])));
+  }
+
+  // refines the surface so that the fit of each chain is expected to meet the tolerance; returns
+  // `false` if nothing can be refined
+  bool refine()
+  {
+    std::vector<Chain_knots> plans(m_curves.size());
+    for(size_type c = 0; c < m_curves.size(); ++c)
+      if(!m_is_met[c])
+        plans[c] = plan_bisection(knots(c), m_curves[c], m_options.tolerance, shortest_span,
+                                  m_options.maximum_number_of_patches);
+    bool is_refined = false;
+    for(;;)
+    {
+      const auto spans = spans_to_bisect(plans);
+      if(spans.empty() || m_surface.number_of_patches() >= m_options.maximum_number_of_patches)
+        return is_refined;
+      const size_type size = m_surface.number_of_control_points();
+      m_surface.refine_boundary(spans);
+      if(m_surface.number_of_control_points() == size)
+        return is_refined;
+      is_refined = true;
+    }
+  }
+
+  // returns the spans of the surface that have a planned knot inside
+  std::vector<typename Surface::Boundary_span>
+  spans_to_bisect(const std::vector<Chain_knots>& plans) const
+  {
+    std::vector<typename Surface::Boundary_span> spans;
+    for(size_type c = 0; c < plans.size(); ++c)
+    {
+      if(m_is_met[c])
+        continue;
+      const Cubic_spline_basis basis = knots(c).basis();
+      for(size_type span = 0; span < basis.number_of_spans(); ++span)
+      {
+        const double begin = basis.span_begin(span), end = basis.span_end(span);
+        auto it = std::upper_bound(plans[c].knots.begin(), plans[c].knots.end(), begin);
+        if(it != plans[c].knots.end() && *it < end)
+          spans.push_back({c, begin, end});
+      }
+    }
+    return spans;
+  }
+
+  void record(size_type iteration, double seconds)
+  {
+    Conversion_report::Iteration entry;
+    entry.stage = "fit_boundary";
+    entry.iteration = iteration;
+    entry.patches = m_surface.number_of_patches();
+    entry.control_points = m_surface.number_of_control_points();
+    entry.boundary_linf = m_worst.sampled;
+    entry.seconds = seconds;
+    m_report.iterations.push_back(entry);
+    m_visitor.on_iteration(entry);
+  }
+
+  void report_errors()
+  {
+    if(m_curves.empty())
+      return;
+    Conversion_report::Boundary& b = m_report.boundary;
+    b.certified_bound = m_worst.bound;
+    b.max_parametric_deviation = m_worst.sampled;
+    b.worst_curve = m_worst_chain;
+    b.worst_parameter
+      = CGAL::to_double(m_target.arc_length(m_worst_chain, FT(m_worst.worst)));
+  }
+
+  Surface& m_surface;
+  const Target& m_target;
+  Boundary_fit_options m_options;
+  Visitor& m_visitor;
+  Conversion_report& m_report;
+  std::vector<Cached_curve_target<Chain_target> > m_curves;
+  std::vector<bool> m_is_met; // per chain
+  Span_error m_worst;
+  size_type m_worst_chain = 0;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_spline_conversion
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_FITTING_BOUNDARY_FITTER_H

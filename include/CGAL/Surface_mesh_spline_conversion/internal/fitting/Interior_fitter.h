@@ -1,0 +1,188 @@
+// Copyright (c) 2026 the authors of the package Surface_mesh_spline_conversion.
+// All rights reserved.
+//
+// This file is part of the package Surface_mesh_spline_conversion, which is being
+// prepared for submission to CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+#ifndef CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_FITTING_INTERIOR_FITTER_H
+#define CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_FITTING_INTERIOR_FITTER_H
+
+#include <CGAL/license/Surface_mesh_spline_conversion.h>
+
+#include <CGAL/Surface_mesh_spline_conversion/Conversion_report.h>
+#include <CGAL/Surface_mesh_spline_conversion/Error_code.h>
+#include <CGAL/Surface_mesh_spline_conversion/Error_metric.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/fitting/Boundary_fitter.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/fitting/Interior_samples.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/fitting/Interior_system.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/fitting/fit_parameters.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/fitting/interior_error.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/fitting/reproject_targets.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/fitting/smooth_creases.h>
+
+#include <CGAL/Real_timer.h>
+#include <CGAL/number_utils.h>
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_spline_conversion {
+namespace internal {
+
+// The interior iteration of section 3.3 of the paper on a surface and a target, see fit_interior().
+template <typename Surface, typename Target, typename Visitor>
+class Interior_fitter
+{
+  typedef std::size_t size_type;
+  typedef typename Target::FT FT;
+  typedef typename Surface::Point_3 Point_3;
+  typedef Interior_samples<Surface, Target> Samples;
+  typedef Interior_system<Samples> System;
+  typedef typename System::Points Points;
+
+public:
+  Interior_fitter(Surface& surface, const Target& target, const Interior_fit_options& options,
+                  const Boundary_fit_options& boundary_options, Visitor& visitor,
+                  Conversion_report& report)
+    : m_surface(surface), m_target(target), m_options(options),
+      m_boundary_options(boundary_options), m_visitor(visitor), m_report(report)
+  {}
+
+  Error_code operator()()
+  {
+    Error_code boundary_code = Error_code::OK;
+    for(size_type iteration = 0; ; ++iteration)
+    {
+      Real_timer timer;
+      timer.start();
+      const Error_code code = fit();
+      if(code != Error_code::OK)
+        return code;
+      record(iteration, timer.time());
+      if(m_largest.error < m_options.tolerance)
+        return boundary_code;
+      if(4 * m_surface.number_of_patches() > m_options.maximum_number_of_patches)
+        return fail(Error_code::TOLERANCE_NOT_REACHED, "the interior tolerance was not reached: "
+                    "the error is " + std::to_string(m_largest.error) + " with "
+                    + std::to_string(m_surface.number_of_patches()) + " patches; allow more "
+                    "patches, or a larger interior tolerance, or make the quads smaller");
+      m_surface.refine_uniformly();
+      boundary_code = refit_boundary();
+      if(boundary_code != Error_code::OK && boundary_code != Error_code::TOLERANCE_NOT_REACHED)
+        return boundary_code;
+    }
+  }
+
+private:
+  // The first fit reduces errors of the size of a quad, the others those of the first fit; a
+  // millionth and a thousandth are far below what the next level can see.
+  static constexpr double first_accuracy = 1e-6;
+  static constexpr double next_accuracy = 1e-4;
+
+  Error_code fail(Error_code code, const std::string& message)
+  {
+    m_report.message = message;
+    return code;
+  }
+
+  size_type number_of_reprojections() const
+  {
+    switch(m_options.error_metric)
+    {
+      case Error_metric::PARAMETRIC: return 0;
+      case Error_metric::REPROJECTED: return 1;
+      case Error_metric::HAUSDORFF: return 3;
+    }
+    return 0;
+  }
+
+  // fits the surface at the present refinement level, and measures its error
+  Error_code fit()
+  {
+    if(!m_visitor.go_further())
+      return Error_code::INTERRUPTED;
+    Samples samples(m_surface, m_target);
+    System system(samples, boundary_control_points());
+    if(!system.is_valid() || !solve(system, first_accuracy))
+      return fail(Error_code::SINGULAR_SYSTEM, "the control points could not be determined");
+    for(size_type i = 0; i < number_of_reprojections(); ++i)
+    {
+      if(!m_visitor.go_further())
+        return Error_code::INTERRUPTED;
+      Target_reprojection<Surface, Target>(m_surface, m_target, samples)();
+      if(!solve(system, next_accuracy))
+        return fail(Error_code::SINGULAR_SYSTEM, "the control points could not be determined");
+    }
+    Crease_smoother<Surface, Target, System>(m_surface, m_target, system)();
+    const Interior_error<Surface, Target> error(m_surface, m_target, samples);
+    m_largest = m_options.error_metric == Error_metric::PARAMETRIC ? error.parametric()
+                                                                   : error.two_sided();
+    return Error_code::OK;
+  }
+
+  // the boundary curves belong to the boundary fit (paper, section 3.3)
+  std::vector<bool> boundary_control_points() const
+  {
+    std::vector<bool> result(m_surface.number_of_control_points(), false);
+    for(size_type c = 0; c < m_surface.number_of_boundary_chains(); ++c)
+      for(size_type i : m_surface.boundary_curve(c).control_points)
+        result[i] = true;
+    return result;
+  }
+
+  bool solve(System& system, double accuracy)
+  {
+    const Eigen::Index n = static_cast<Eigen::Index>(m_surface.number_of_control_points());
+    Points points(n, 3);
+    for(Eigen::Index i = 0; i < n; ++i)
+      points.row(i) = to_eigen(m_surface.control_point(static_cast<size_type>(i))).transpose();
+    if(!system.solve(points, accuracy))
+      return false;
+    for(Eigen::Index i = 0; i < n; ++i)
+      m_surface.set_control_point(static_cast<size_type>(i),
+                                  Point_3(FT(points(i, 0)), FT(points(i, 1)), FT(points(i, 2))));
+    return true;
+  }
+
+  Error_code refit_boundary()
+  {
+    return Boundary_fitter<Surface, Target, Visitor>(m_surface, m_target, m_boundary_options,
+                                                     m_visitor, m_report)();
+  }
+
+  void record(size_type iteration, double seconds)
+  {
+    Conversion_report::Iteration entry;
+    entry.stage = "fit_interior";
+    entry.iteration = iteration;
+    entry.patches = m_surface.number_of_patches();
+    entry.control_points = m_surface.number_of_control_points();
+    entry.interior_linf = m_largest.error;
+    entry.seconds = seconds;
+    m_report.iterations.push_back(entry);
+    m_report.interior.max_deviation = m_largest.error;
+    for(int d = 0; d < 3; ++d)
+      m_report.interior.worst[static_cast<size_type>(d)] = m_largest.place[d];
+    m_visitor.on_iteration(entry);
+  }
+
+  Surface& m_surface;
+  const Target& m_target;
+  Interior_fit_options m_options;
+  Boundary_fit_options m_boundary_options;
+  Visitor& m_visitor;
+  Conversion_report& m_report;
+  Largest_error m_largest;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_spline_conversion
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_FITTING_INTERIOR_FITTER_H

@@ -1,0 +1,76 @@
+// Copyright (c) 2026 the authors of the package Surface_mesh_spline_conversion.
+// All rights reserved.
+//
+// This file is part of the package Surface_mesh_spline_conversion, which is being
+// prepared for submission to CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+#ifndef CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_FITTING_FIT_PARAMETERS_H
+#define CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_FITTING_FIT_PARAMETERS_H
+
+#include <CGAL/license/Surface_mesh_spline_conversion.h>
+
+#include <CGAL/Surface_mesh_spline_conversion/Error_metric.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/named_parameters.h>
+
+#include <CGAL/number_utils.h>
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Surface_mesh_spline_conversion {
+namespace internal {
+
+// the limits of the boundary fit
+struct Boundary_fit_options
+{
+  double tolerance;
+  std::size_t maximum_number_of_patches;
+};
+
+// the limits of the interior fit
+struct Interior_fit_options
+{
+  double tolerance;
+  Error_metric error_metric;
+  std::size_t maximum_number_of_patches;
+};
+
+constexpr double default_relative_boundary_tolerance = 1e-6;
+constexpr double default_relative_interior_tolerance = 1e-3;
+constexpr std::size_t default_maximum_number_of_patches = 200000;
+
+template <typename NamedParameters>
+std::size_t maximum_number_of_patches(const NamedParameters& np)
+{
+  return static_cast<std::size_t>(parameters::choose_parameter(
+    parameters::get_parameter(np, internal_np::maximum_number_of_patches),
+    default_maximum_number_of_patches));
+}
+
+template <typename Target, typename NamedParameters>
+Boundary_fit_options boundary_fit_options(const Target& target, const NamedParameters& np)
+{
+  const double tolerance = CGAL::to_double(parameters::choose_parameter(
+    parameters::get_parameter(np, internal_np::boundary_tolerance),
+    default_relative_boundary_tolerance * CGAL::to_double(target.diameter())));
+  return Boundary_fit_options{tolerance, maximum_number_of_patches(np)};
+}
+
+template <typename Target, typename NamedParameters>
+Interior_fit_options interior_fit_options(const Target& target, const NamedParameters& np)
+{
+  const double tolerance = CGAL::to_double(parameters::choose_parameter(
+    parameters::get_parameter(np, internal_np::interior_tolerance),
+    default_relative_interior_tolerance * CGAL::to_double(target.diameter())));
+  const Error_metric metric = parameters::choose_parameter(
+    parameters::get_parameter(np, internal_np::error_metric), Error_metric::REPROJECTED);
+  return Interior_fit_options{tolerance, metric, maximum_number_of_patches(np)};
+}
+
+} // namespace internal
+} // namespace Surface_mesh_spline_conversion
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_FITTING_FIT_PARAMETERS_H

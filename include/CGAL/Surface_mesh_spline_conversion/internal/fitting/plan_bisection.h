@@ -1,0 +1,200 @@
+// Copyright (c) 2026 the authors of the package Surface_mesh_spline_conversion.
+// All rights reserved.
+//
+// This file is part of the package Surface_mesh_spline_conversion, which is being
+// prepared for submission to CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+#ifndef CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_FITTING_PLAN_BISECTION_H
+#define CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_FITTING_PLAN_BISECTION_H
+
+#include <CGAL/license/Surface_mesh_spline_conversion.h>
+
+#include <CGAL/Surface_mesh_spline_conversion/internal/fitting/Cubic_spline_basis.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/fitting/fit_cubic_spline.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/fitting/spline_error.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_spline_conversion {
+namespace internal {
+
+// the knots of a boundary chain: full open knot vector, or the knots of one period
+struct Chain_knots
+{
+  std::vector<double> knots;
+  double period = 0; // 0: open
+
+  Cubic_spline_basis basis() const
+  {
+    return period > 0 ? Cubic_spline_basis(knots, period) : Cubic_spline_basis(knots);
+  }
+};
+
+// returns how often a span with the given error is bisected at once. The error of a smooth curve
+// falls by 16 per bisection; the last one of the predicted bisections is left to the next
+// measurement, as an error may fall faster at first.
+inline int number_of_bisections(double error, double tolerance)
+{
+  constexpr int maximum_at_once = 4;
+  const int levels = static_cast<int>(std::floor(std::log(error / tolerance) / std::log(16.)));
+  return (std::max)(1, (std::min)(levels, maximum_at_once));
+}
+
+// Bisects the spans of a chain: span `i` is cut in `2^levels[i]` pieces, and then spans are cut
+// until no span is more than twice as long as its neighbours (paper, section 3.2.4). Spans are
+// not cut below `shortest`.
+class Chain_bisection
+{
+public:
+  Chain_bisection(const Chain_knots& chain, double shortest)
+    : m_chain(chain), m_basis(chain.basis()), m_shortest(shortest)
+  {}
+
+  Chain_knots operator()(const std::vector<int>& levels)
+  {
+    for(std::size_t span = 0; span < m_basis.number_of_spans(); ++span)
+    {
+      const double begin = m_basis.span_begin(span), length = m_basis.span_end(span) - begin;
+      int level = levels[span];
+      while(level > 0 && std::ldexp(length, -level) < m_shortest)
+        --level;
+      const std::size_t pieces = std::size_t(1) << level;
+      for(std::size_t k = 0; k < pieces; ++k)
+        m_breaks.push_back(begin + length * (double(k) / double(pieces)));
+    }
+    m_end = m_basis.span_end(m_basis.number_of_spans() - 1);
+    while(balance())
+      continue;
+    return with_new_knots();
+  }
+
+private:
+  double length(std::size_t i) const
+  {
+    return (i + 1 < m_breaks.size() ? m_breaks[i + 1] : m_end) - m_breaks[i];
+  }
+
+  bool is_unbalanced(std::size_t i) const
+  {
+    const std::size_t n = m_breaks.size();
+    const bool is_periodic = m_chain.period > 0;
+    const double longest = 2 * (1 + relative_rounding) * shortest_neighbor(i, n, is_periodic);
+    return length(i) > longest;
+  }
+
+  double shortest_neighbor(std::size_t i, std::size_t n, bool is_periodic) const
+  {
+    double result = length(i);
+    if(i > 0 || is_periodic)
+      result = (std::min)(result, length((i + n - 1) % n));
+    if(i + 1 < n || is_periodic)
+      result = (std::min)(result, length((i + 1) % n));
+    return result;
+  }
+
+  bool balance()
+  {
+    std::vector<double> breaks;
+    for(std::size_t i = 0; i < m_breaks.size(); ++i)
+    {
+      breaks.push_back(m_breaks[i]);
+      if(is_unbalanced(i))
+        breaks.push_back(m_breaks[i] + length(i) / 2);
+    }
+    breaks.swap(m_breaks);
+    return breaks.size() != m_breaks.size();
+  }
+
+  // multiple knots keep their multiplicity
+  Chain_knots with_new_knots() const
+  {
+    Chain_knots result = m_chain;
+    for(double x : m_breaks)
+      if(!std::binary_search(m_chain.knots.begin(), m_chain.knots.end(), x))
+        result.knots.push_back(x);
+    std::sort(result.knots.begin(), result.knots.end());
+    return result;
+  }
+
+  // the lengths are dyadic, and equal ones are equal but for the rounding of a long chain
+  static constexpr double relative_rounding = 1e-6;
+
+  const Chain_knots& m_chain;
+  Cubic_spline_basis m_basis;
+  double m_shortest, m_end = 0;
+  std::vector<double> m_breaks;
+};
+
+// the state of the fit of a chain
+struct Chain_fit
+{
+  Control_polygon polygon;
+  std::vector<Span_error> errors; // per span
+  bool is_solved = false;
+
+  Span_error worst() const
+  {
+    Span_error result;
+    for(const Span_error& e : errors)
+    {
+      result.bound = (std::max)(result.bound, e.bound);
+      if(e.sampled > result.sampled)
+      {
+        result.sampled = e.sampled;
+        result.worst = e.worst;
+      }
+    }
+    return result;
+  }
+};
+
+// fits a chain on given knots and measures the error
+template <typename CurveTarget>
+Chain_fit fit_chain(const Chain_knots& knots, CurveTarget& target)
+{
+  const Cubic_spline_basis basis = knots.basis();
+  Cubic_spline_fitter<CurveTarget> fitter(basis, target);
+  Chain_fit result;
+  result.is_solved = fitter();
+  if(!result.is_solved)
+    return result;
+  result.polygon = fitter.polygon();
+  for(std::size_t span = 0; span < basis.number_of_spans(); ++span)
+    result.errors.push_back(spline_error(basis, result.polygon, target, span));
+  return result;
+}
+
+// Returns knots on which the bound of the error is below the tolerance, by bisection of the spans
+// where it is not; gives up at `maximum_number_of_spans`, or where spans would become shorter than
+// `shortest_span`.
+template <typename CurveTarget>
+Chain_knots plan_bisection(Chain_knots chain, CurveTarget& target, double tolerance,
+                           double shortest_span, std::size_t maximum_number_of_spans)
+{
+  for(;;)
+  {
+    const Chain_fit fit = fit_chain(chain, target);
+    if(!fit.is_solved)
+      return chain;
+    std::vector<int> levels;
+    for(const Span_error& error : fit.errors)
+      levels.push_back(error.bound < tolerance ? 0 : number_of_bisections(error.bound, tolerance));
+    Chain_knots finer = Chain_bisection(chain, shortest_span)(levels);
+    if(finer.knots.size() == chain.knots.size()
+       || finer.knots.size() > maximum_number_of_spans)
+      return chain;
+    chain = std::move(finer);
+  }
+}
+
+} // namespace internal
+} // namespace Surface_mesh_spline_conversion
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_FITTING_PLAN_BISECTION_H

@@ -1,0 +1,262 @@
+// Copyright (c) 2026 the authors of the package Surface_mesh_spline_conversion.
+// All rights reserved.
+//
+// This file is part of the package Surface_mesh_spline_conversion, which is being
+// prepared for submission to CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+#ifndef CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_FITTING_SMOOTH_CREASES_H
+#define CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_FITTING_SMOOTH_CREASES_H
+
+#include <CGAL/license/Surface_mesh_spline_conversion.h>
+
+#include <CGAL/Surface_mesh_spline_conversion/internal/to_eigen.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/patches/quad_sides.h>
+
+#include <CGAL/number_utils.h>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_spline_conversion {
+namespace internal {
+
+// Makes the normals agree on both sides of the lines that start at the corners of the boundary
+// between two quads (paper, Fig. 6(b)).
+//
+// There the control points of the two outer rows have triple knots, and the surface is only
+// continuous across the line above the corner, for two bays. With J the jump of the derivative
+// across the line and n the mean normal, the normals agree where n . J = 0. This is linear in
+// the control points for given n: the few inner control points that act on J are moved such that
+// it holds, in the sense of least squares with a large weight, with the least increase of the
+// error of the fit. As n changes, this is repeated.
+template <typename Surface, typename Target, typename System>
+class Crease_smoother
+{
+  typedef std::size_t size_type;
+  typedef typename Target::FT FT;
+  typedef typename Surface::Point_3 Point_3;
+  typedef Quad_point<FT> Place;
+
+  // a point on the line above a corner, as seen from both sides
+  struct Sample
+  {
+    std::array<Place, 2> places;
+    std::array<std::array<int, 2>, 2> across, along; // directions in (u,v) of the quads
+  };
+
+  // a linear functional of the control points
+  typedef std::map<size_type, double> Functional;
+
+public:
+  Crease_smoother(Surface& surface, const Target& target, const System& system)
+    : m_surface(surface), m_target(target), m_system(system)
+  {}
+
+  void operator()()
+  {
+    const auto& layout = m_target.layout();
+    for(size_type q = 0; q < layout.number_of_quads(); ++q)
+      for(int i = 0; i < 4; ++i)
+      {
+        if(!layout.is_border(q, i) || !layout.is_corner(layout.vertex(q, i + 1))
+           || layout.is_border(q, i + 1))
+          continue;
+        const auto other = layout.neighbor(q, i + 1);
+        if(layout.is_border(other.first, other.second + 1))
+          smooth(q, i, other.first, (other.second + 1) & 3);
+      }
+  }
+
+private:
+  static constexpr int samples_per_bay = 4;
+  static constexpr int maximum_number_of_rounds = 3;
+
+  // Ratio of the weight of the constraint to that of the fit. What remains of a jump is its share.
+  static constexpr double constraint_weight = 1e4;
+
+  // derivatives of functions that are smooth across the line cancel up to rounding
+  static constexpr double relative_rounding = 1e-10;
+
+  // the corner is the end of side `i` of `first` and the begin of side `j` of `second`
+  void smooth(size_type first, int i, size_type second, int j)
+  {
+    const std::vector<Sample> samples = make_samples(first, i, second, j);
+    std::vector<Functional> jumps;
+    for(const Sample& s : samples)
+      jumps.push_back(jump(s));
+    const std::vector<size_type> unknowns = free_control_points(jumps);
+    if(unknowns.empty())
+      return;
+    for(int round = 0; round < maximum_number_of_rounds; ++round)
+      move(samples, jumps, unknowns);
+  }
+
+  std::vector<Sample> make_samples(size_type first, int i, size_type second, int j) const
+  {
+    std::vector<Sample> samples;
+    const double bay = length_of_bay(first, i);
+    for(int k = 0; k < 2 * samples_per_bay; ++k)
+    {
+      const double y = bay * (k + 0.5) / samples_per_bay;
+      Sample s;
+      add_side(first, i, 1, y, s, 0);
+      add_side(second, j, 0, y, s, 1);
+      samples.push_back(s);
+    }
+    return samples;
+  }
+
+  // the extension inwards of the patch at the end of side `i`
+  double length_of_bay(size_type quad, int i) const
+  {
+    const auto uv = from_side<FT>(i, FT(1), FT(0));
+    const auto o = m_surface.patch_origin(m_surface.patch_at(quad, uv[0], uv[1]));
+    return CGAL::to_double(i % 2 == 0 ? o.v1 - o.v0 : o.u1 - o.u0);
+  }
+
+  // the place at the parameter `t` (0 or 1) of side `i` and at the distance `y` inwards, which may
+  // lie in the quad behind; the directions are read off from two neighbouring points
+  void add_side(size_type quad, int i, int t, double y, Sample& sample, size_type side) const
+  {
+    constexpr double step = 1. / 1024;
+    auto at = [&](double x, double d)
+    {
+      const auto uv = from_side<FT>(i, FT(x), FT(d));
+      return cross_sides(m_target.layout(), Place{quad, uv[0], uv[1]});
+    };
+    const Place p = at(t, y), next = at(t + (t == 0 ? step : -step), y), above = at(t, y + step);
+    auto direction = [](const FT& from, const FT& to)
+    {
+      return to > from ? 1 : (to < from ? -1 : 0);
+    };
+    const int sign = t == 0 ? 1 : -1;
+    sample.places[side] = p;
+    sample.across[side] = {{sign * direction(p.u, next.u), sign * direction(p.v, next.v)}};
+    sample.along[side] = {{direction(p.u, above.u), direction(p.v, above.v)}};
+  }
+
+  // returns S_x behind the line minus S_x before it
+  Functional jump(const Sample& s) const
+  {
+    Functional result;
+    double largest = 0;
+    std::vector<typename Surface::Basis_function> functions;
+    for(size_type side = 0; side < 2; ++side)
+    {
+      const Place& p = s.places[side];
+      functions.clear();
+      m_surface.basis(m_surface.patch_at(p.quad, p.u, p.v), p.u, p.v, 1, functions);
+      for(const auto& f : functions)
+      {
+        const double value = s.across[side][0] * f.value[1] + s.across[side][1] * f.value[2];
+        result[f.control_point] += side == 0 ? -value : value;
+        largest = (std::max)(largest, std::abs(value));
+      }
+    }
+    for(auto it = result.begin(); it != result.end(); )
+      it = std::abs(it->second) <= relative_rounding * largest ? result.erase(it) : std::next(it);
+    return result;
+  }
+
+  std::vector<size_type> free_control_points(const std::vector<Functional>& jumps) const
+  {
+    std::vector<size_type> result;
+    for(const Functional& jump : jumps)
+      for(const auto& term : jump)
+        if(m_system.unknown(term.first) != System::fixed)
+          result.push_back(term.first);
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+    return result;
+  }
+
+  Eigen::Vector3d derivative(const Sample& s, size_type side,
+                             const std::array<std::array<int, 2>, 2>& direction) const
+  {
+    const Place& p = s.places[side];
+    const size_type patch = m_surface.patch_at(p.quad, p.u, p.v);
+    return direction[side][0] * to_eigen(m_surface.derivative(patch, p.u, p.v, 1, 0))
+           + direction[side][1] * to_eigen(m_surface.derivative(patch, p.u, p.v, 0, 1));
+  }
+
+  // one step of the constrained least-squares problem in the coordinates of the unknowns
+  void move(const std::vector<Sample>& samples, const std::vector<Functional>& jumps,
+            const std::vector<size_type>& unknowns)
+  {
+    const Eigen::Index n = static_cast<Eigen::Index>(unknowns.size());
+    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(3 * n, 3 * n);
+    Eigen::VectorXd right_hand_side = Eigen::VectorXd::Zero(3 * n);
+    double largest = 0;
+    for(Eigen::Index a = 0; a < n; ++a)
+      for(Eigen::Index b = 0; b < n; ++b)
+      {
+        const double c = m_system.coefficient(m_system.unknown(unknowns[size_type(a)]),
+                                              m_system.unknown(unknowns[size_type(b)]));
+        matrix.block<3, 3>(3 * a, 3 * b) = c * Eigen::Matrix3d::Identity();
+        largest = (std::max)(largest, c);
+      }
+    for(size_type k = 0; k < samples.size(); ++k)
+    {
+      const Eigen::Vector3d before = derivative(samples[k], 0, samples[k].across);
+      const Eigen::Vector3d after = derivative(samples[k], 1, samples[k].across);
+      const Eigen::Vector3d normal
+        = (before + after).cross(derivative(samples[k], 0, samples[k].along)).normalized();
+      Eigen::VectorXd row = Eigen::VectorXd::Zero(3 * n);
+      for(Eigen::Index a = 0; a < n; ++a)
+      {
+        const auto it = jumps[k].find(unknowns[size_type(a)]);
+        if(it != jumps[k].end())
+          row.segment<3>(3 * a) = it->second * normal;
+      }
+      const double weight = constraint_weight * largest / scale(jumps);
+      matrix += weight * row * row.transpose();
+      right_hand_side -= weight * normal.dot(after - before) * row;
+    }
+    apply(matrix.ldlt().solve(right_hand_side), unknowns);
+  }
+
+  // the largest square of a coefficient
+  static double scale(const std::vector<Functional>& jumps)
+  {
+    double result = 0;
+    for(const Functional& jump : jumps)
+      for(const auto& term : jump)
+        result = (std::max)(result, term.second * term.second);
+    return result;
+  }
+
+  void apply(const Eigen::VectorXd& move, const std::vector<size_type>& unknowns)
+  {
+    if(!move.allFinite())
+      return;
+    for(size_type a = 0; a < unknowns.size(); ++a)
+    {
+      const Eigen::Vector3d p = to_eigen(m_surface.control_point(unknowns[a]))
+                                + move.segment<3>(3 * static_cast<Eigen::Index>(a));
+      m_surface.set_control_point(unknowns[a], Point_3(FT(p[0]), FT(p[1]), FT(p[2])));
+    }
+  }
+
+  Surface& m_surface;
+  const Target& m_target;
+  const System& m_system;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_spline_conversion
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_FITTING_SMOOTH_CREASES_H

@@ -1,0 +1,115 @@
+// Copyright (c) 2026 the authors of the package Surface_mesh_spline_conversion.
+// All rights reserved.
+//
+// This file is part of the package Surface_mesh_spline_conversion, which is being
+// prepared for submission to CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+#ifndef CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_PATCHES_MESH_PROJECTION_H
+#define CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_PATCHES_MESH_PROJECTION_H
+
+#include <CGAL/license/Surface_mesh_spline_conversion.h>
+
+#include <CGAL/Surface_mesh_spline_conversion/internal/compatibility.h>
+
+#include <CGAL/AABB_tree.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/number_utils.h>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_spline_conversion {
+namespace internal {
+
+// Closest points on a triangle mesh. Distances are computed with doubles for all kernels.
+class Mesh_projection
+{
+public:
+  typedef Simple_cartesian<double> Kernel;
+  typedef Kernel::Point_3 Point_3;
+  typedef Kernel::Vector_3 Vector_3;
+
+  // a point of the mesh; the face is its position in `faces(tm)`
+  struct Foot
+  {
+    Point_3 point;
+    std::size_t face;
+  };
+
+  template <typename TriangleMesh, typename VertexPointMap>
+  Mesh_projection(const TriangleMesh& tm, const VertexPointMap& vpm)
+  {
+    m_triangles.reserve(num_faces(tm));
+    for(auto f : faces(tm))
+    {
+      std::array<Point_3, 3> corners;
+      std::size_t i = 0;
+      for(auto v : vertices_around_face(halfedge(f, tm), tm))
+        corners[i++] = to_double_point(get(vpm, v));
+      m_triangles.emplace_back(corners[0], corners[1], corners[2]);
+    }
+    for(const Kernel::Triangle_3& t : m_triangles)
+      m_tree.insert(Primitive(&t));
+    m_tree.build();
+  }
+
+  Mesh_projection(const Mesh_projection&) = delete;
+  Mesh_projection& operator=(const Mesh_projection&) = delete;
+
+  // returns the point of the mesh closest to `query`; `hint` is any point of the mesh, and the
+  // closer, the faster
+  Foot operator()(const Point_3& query, const Foot& hint) const
+  {
+    const auto result = m_tree.closest_point_and_primitive(
+      query, std::make_pair(hint.point, &m_triangles[hint.face]));
+    return Foot{result.first, static_cast<std::size_t>(result.second - m_triangles.data())};
+  }
+
+  // returns the normal of a face, of the length of twice its area
+  Vector_3 normal(std::size_t face) const
+  {
+    const Kernel::Triangle_3& t = m_triangles[face];
+    return CGAL::cross_product(t[1] - t[0], t[2] - t[0]);
+  }
+
+  template <typename Point>
+  static Point_3 to_double_point(const Point& p)
+  {
+    return Point_3(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+  }
+
+private:
+  // a model of AABBPrimitive that names a triangle by its address
+  struct Primitive
+  {
+    typedef const Kernel::Triangle_3* Id;
+    typedef Kernel::Point_3 Point;
+    typedef Kernel::Triangle_3 Datum;
+
+    Primitive() : m_id(nullptr) {}
+    explicit Primitive(Id id) : m_id(id) {}
+    const Datum& datum() const { return *m_id; }
+    const Id& id() const { return m_id; }
+    const Point& reference_point() const { return m_id->vertex(0); }
+
+    typedef const Datum& Datum_reference;
+    typedef const Point& Point_reference;
+
+  private:
+    Id m_id;
+  };
+
+  std::vector<Kernel::Triangle_3> m_triangles;
+  AABB_tree<AABB_traits_3<Kernel, Primitive> > m_tree;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_spline_conversion
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_PATCHES_MESH_PROJECTION_H

@@ -1,0 +1,288 @@
+// Copyright (c) 2026 the authors of the package Surface_mesh_spline_conversion.
+// All rights reserved.
+//
+// This file is part of the package Surface_mesh_spline_conversion, which is being
+// prepared for submission to CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+#ifndef CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_SURFACE_BEZIER_EXTRACTION_H
+#define CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_SURFACE_BEZIER_EXTRACTION_H
+
+#include <CGAL/license/Surface_mesh_spline_conversion.h>
+
+#include <CGAL/Surface_mesh_spline_conversion/internal/surface/T_mesh.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_spline_conversion {
+namespace internal {
+
+// a basis function on a Bezier element: a product of two cubics, in Bernstein form
+struct Element_function
+{
+  std::size_t control_point;
+  Row u, v;
+};
+
+// a rectangle of a face on which the surface is one bicubic polynomial; coordinates of the face in
+// parameters
+struct Regular_element
+{
+  double u0, v0, u1, v1;
+  std::size_t first, last; // its functions
+};
+
+// The Bezier elements of all regular faces: each function is spread over the faces of its support
+// by a search through the faces, each face is split at the knots inside, and each function is
+// written in Bernstein form there.
+template <typename Point>
+class Bezier_extraction
+{
+  typedef T_mesh<Point> Mesh;
+  typedef typename Mesh::Vertex Vertex;
+  typedef typename Mesh::Halfedge Halfedge;
+  typedef typename Mesh::Face Face;
+  typedef std::array<std::int64_t, 5> Knots; // rounded, relative to the origin of the face
+
+  // a basis function in the frame of a face
+  struct Face_function
+  {
+    Vertex vertex;
+    std::array<Knots, 2> knots;
+
+    bool operator==(const Face_function& f) const
+    {
+      return vertex == f.vertex && knots == f.knots;
+    }
+  };
+
+  // a face in the frame of a vertex: a translation and `turns` quarter turns
+  struct Placement
+  {
+    Face face;
+    int turns;
+    std::array<Ticks, 2> origin;
+
+    bool operator==(const Placement& p) const
+    {
+      return face == p.face && turns == p.turns && origin == p.origin;
+    }
+  };
+
+public:
+  std::vector<Element_function> functions;
+  std::vector<Regular_element> elements;
+  std::vector<std::size_t> first_element; // of a face, one more than there are faces
+
+  explicit Bezier_extraction(const Mesh& mesh) : m_mesh(mesh)
+  {
+    const std::size_t faces = mesh.mesh().num_faces();
+    m_functions_of_face.resize(faces);
+    m_is_regular_patch.assign(faces, false);
+    for(Face f : mesh.mesh().faces())
+      m_is_regular_patch[f] = mesh.is_patch(f) && !mesh.is_extraordinary_face(f);
+    for(Vertex v : mesh.mesh().vertices())
+      spread(v);
+    for(Face f : mesh.mesh().faces())
+    {
+      first_element.push_back(elements.size());
+      if(m_is_regular_patch[f])
+        extract(f);
+    }
+    first_element.push_back(elements.size());
+  }
+
+private:
+  void spread(Vertex v)
+  {
+    if(m_mesh.is_extraordinary(v))
+    {
+      const Halfedge first = m_mesh.opposite(m_mesh.mesh().halfedge(v));
+      Halfedge h = first;
+      do
+      {
+        const Halfedge g = m_mesh.rotated(h);
+        const Ticks back = m_mesh.length(h);
+        spread_quadrant(v, h, 0, {{m_mesh.intervals_along(h), m_mesh.intervals_along(g),
+                                   {{back, back}}, {{back, back}}}});
+        h = g;
+      }
+      while(h != first);
+      return;
+    }
+    const auto& star = m_mesh.star(v);
+    for(int d = 0; d < 4; ++d)
+    {
+      Halfedge h = star.out[d];
+      int turns = 0;
+      if(!h.is_valid() && star.into[d].is_valid())
+      {
+        h = star.out[(d + 3) & 3]; // its face reaches over direction d
+        turns = 3;
+      }
+      if(h.is_valid() && !m_mesh.is_border(h))
+        spread_quadrant(v, h, turns, {{star.interval[d], star.interval[(d + 1) & 3],
+                                       star.interval[(d + 2) & 3], star.interval[(d + 3) & 3]}});
+    }
+  }
+
+  // spreads the function of `v` over one quadrant of its support, [0, x] times [0, y]; `h` leaves
+  // `v` in the direction `turns`, and `intervals` belong to the directions 0 to 3 of the quadrant
+  void spread_quadrant(Vertex v, Halfedge h, int turns,
+                       const std::array<std::array<Ticks, 2>, 4>& intervals)
+  {
+    const std::array<Ticks, 2> extent = {{intervals[0][0] + intervals[0][1],
+                                          intervals[1][0] + intervals[1][1]}};
+    m_queue.assign(1, place(h, turns, {{0, 0}}));
+    for(std::size_t i = 0; i < m_queue.size(); ++i)
+    {
+      const Placement p = m_queue[i];
+      if(m_is_regular_patch[p.face])
+        add_function(v, p, intervals);
+      for(Halfedge g : m_mesh.mesh().halfedges_around_face(m_mesh.halfedge(p.face)))
+      {
+        const Halfedge o = m_mesh.opposite(g);
+        if(m_mesh.is_border(o))
+          continue;
+        const std::array<Ticks, 2> source = transformed(p, m_mesh.local_source(m_mesh.next(g)));
+        const Placement q = place(o, (m_mesh.side(g) + p.turns + 2) & 3, source);
+        if(overlaps(q, extent) && std::find(m_queue.begin(), m_queue.end(), q) == m_queue.end())
+          m_queue.push_back(q);
+      }
+    }
+  }
+
+  static std::array<Ticks, 2> turned(int turns, const std::array<Ticks, 2>& p)
+  {
+    switch(turns)
+    {
+      case 0: return p;
+      case 1: return {{-p[1], p[0]}};
+      case 2: return {{-p[0], -p[1]}};
+      default: return {{p[1], -p[0]}};
+    }
+  }
+
+  static std::array<Ticks, 2> transformed(const Placement& p, const std::array<Ticks, 2>& x)
+  {
+    const std::array<Ticks, 2> y = turned(p.turns, x);
+    return {{p.origin[0] + y[0], p.origin[1] + y[1]}};
+  }
+
+  // places the face of `h` such that `h` begins at `source` and has the given direction
+  Placement place(Halfedge h, int direction, const std::array<Ticks, 2>& source) const
+  {
+    Placement p;
+    p.face = m_mesh.face(h);
+    p.turns = (direction - m_mesh.side(h) + 4) & 3;
+    const std::array<Ticks, 2> y = turned(p.turns, m_mesh.local_source(h));
+    p.origin = {{source[0] - y[0], source[1] - y[1]}};
+    return p;
+  }
+
+  bool overlaps(const Placement& p, const std::array<Ticks, 2>& extent) const
+  {
+    const std::array<Ticks, 2> end
+      = transformed(p, {{m_mesh.extent(p.face, 0), m_mesh.extent(p.face, 1)}});
+    for(int k = 0; k < 2; ++k)
+      if((std::max)(p.origin[k], end[k]) <= 0 || (std::min)(p.origin[k], end[k]) >= extent[k])
+        return false;
+    return true;
+  }
+
+  void add_function(Vertex v, const Placement& p,
+                    const std::array<std::array<Ticks, 2>, 4>& intervals)
+  {
+    Face_function function;
+    function.vertex = v;
+    for(int axis = 0; axis < 2; ++axis)
+    {
+      const int forward = (p.turns + axis) & 3; // direction of this axis of the face
+      const auto& ahead = intervals[forward];
+      const auto& behind = intervals[(forward + 2) & 3];
+      const Ticks sign = forward < 2 ? 1 : -1;
+      const std::int64_t origin = rounded_parameter(sign * p.origin[forward & 1]);
+      const std::array<Ticks, 5> x = {{-behind[0] - behind[1], -behind[0], 0, ahead[0],
+                                       ahead[0] + ahead[1]}};
+      for(int i = 0; i < 5; ++i)
+        function.knots[axis][i] = rounded_parameter(x[i]) - origin;
+    }
+    // a face may reach over two quadrants; but on a short closed strip of faces the support of a
+    // function may cover a face twice, in different places
+    auto& functions_of_face = m_functions_of_face[p.face];
+    if(std::find(functions_of_face.begin(), functions_of_face.end(), function)
+       == functions_of_face.end())
+      functions_of_face.push_back(function);
+  }
+
+  // the parameters where the face is cut along an axis, its ends included
+  std::vector<std::int64_t> cuts(Face f, int axis) const
+  {
+    const std::int64_t size = rounded_parameter(m_mesh.extent(f, axis));
+    std::vector<std::int64_t> result = {0, size};
+    for(const Face_function& function : m_functions_of_face[f])
+      for(std::int64_t x : function.knots[axis])
+        if(0 < x && x < size && std::find(result.begin(), result.end(), x) == result.end())
+          result.push_back(x);
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
+  void extract(Face f)
+  {
+    const std::vector<std::int64_t> u = cuts(f, 0), v = cuts(f, 1);
+    for(std::size_t j = 0; j + 1 < v.size(); ++j)
+      for(std::size_t i = 0; i + 1 < u.size(); ++i)
+      {
+        Regular_element element;
+        element.u0 = parameter(u[i]);
+        element.u1 = parameter(u[i + 1]);
+        element.v0 = parameter(v[j]);
+        element.v1 = parameter(v[j + 1]);
+        element.first = functions.size();
+        for(const Face_function& function : m_functions_of_face[f])
+          if(is_active(function.knots[0], u[i], u[i + 1])
+             && is_active(function.knots[1], v[j], v[j + 1]))
+            functions.push_back(Element_function{function.vertex,
+              bezier_row(local_knots(function.knots[0]), element.u0, element.u1),
+              bezier_row(local_knots(function.knots[1]), element.v0, element.v1)});
+        element.last = functions.size();
+        elements.push_back(element);
+      }
+    std::vector<Face_function>().swap(m_functions_of_face[f]);
+  }
+
+  static bool is_active(const Knots& knots, std::int64_t begin, std::int64_t end)
+  {
+    return knots.front() < end && begin < knots.back();
+  }
+
+  static double parameter(std::int64_t x)
+  {
+    return double(x) / double(std::int64_t(1) << parameter_bits);
+  }
+
+  static Local_knots local_knots(const Knots& knots)
+  {
+    Local_knots result;
+    for(int i = 0; i < 5; ++i)
+      result[i] = parameter(knots[i]);
+    return result;
+  }
+
+  const Mesh& m_mesh;
+  std::vector<std::vector<Face_function> > m_functions_of_face;
+  std::vector<bool> m_is_regular_patch;
+  std::vector<Placement> m_queue;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_spline_conversion
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_SURFACE_BEZIER_EXTRACTION_H

@@ -1,0 +1,319 @@
+// Copyright (c) 2026 the authors of the package Surface_mesh_spline_conversion.
+// All rights reserved.
+//
+// This file is part of the package Surface_mesh_spline_conversion, which is being
+// prepared for submission to CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+#ifndef CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_SURFACE_T_NURCC_SURFACE_3_IMPL_H
+#define CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_SURFACE_T_NURCC_SURFACE_3_IMPL_H
+
+#include <CGAL/license/Surface_mesh_spline_conversion.h>
+
+#include <CGAL/T_NURCC_surface_3.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace CGAL {
+
+template <typename K>
+typename T_NURCC_surface_3<K>::Boundary_curve
+T_NURCC_surface_3<K>::boundary_curve(size_type chain) const
+{
+  using namespace Surface_mesh_spline_conversion::internal;
+  Boundary_curve curve;
+  curve.is_closed = m_chain_is_closed[chain];
+  const Vertex start = m_chain_starts[chain];
+  std::vector<FT> positions;
+  Ticks x = 0;
+  Vertex v = start;
+  do
+  {
+    curve.control_points.push_back(v);
+    positions.push_back(to_parameter(x));
+    const Halfedge h = m_mesh.star(v).out[0]; // a boundary vertex begins with its boundary edge
+    x += m_mesh.length(h);
+    v = m_mesh.target(h);
+  }
+  while(v != start && (curve.is_closed || !is_chain_end(v)));
+
+  if(curve.is_closed)
+  {
+    curve.knots = positions;
+    curve.knots.push_back(to_parameter(x));
+    return curve;
+  }
+  curve.control_points.push_back(v);
+  positions.push_back(to_parameter(x));
+  curve.knots.assign(2, positions.front());
+  curve.knots.insert(curve.knots.end(), positions.begin(), positions.end());
+  curve.knots.insert(curve.knots.end(), 2, positions.back());
+  return curve;
+}
+
+template <typename K>
+bool T_NURCC_surface_3<K>::is_chain_end(Vertex v) const
+{
+  for(size_type c = 0; c < m_chain_starts.size(); ++c)
+    if(m_chain_starts[c] == v && !m_chain_is_closed[c])
+      return true;
+  return false;
+}
+
+template <typename K>
+std::vector<typename T_NURCC_surface_3<K>::Bezier_element>
+T_NURCC_surface_3<K>::bezier_elements(int levels) const
+{
+  std::vector<Bezier_element> result;
+  for(size_type i = 0; i < number_of_patches(); ++i)
+  {
+    const Patch& patch = m_basis.patch(i);
+    for(size_type e = m_basis.first_element(patch); e < m_basis.last_element(patch); ++e)
+      result.push_back(regular_element(i, m_basis.element(e)));
+    if(is_extraordinary_patch(i))
+      add_extraordinary_elements(i, (std::max)(levels, 1), result);
+  }
+  return result;
+}
+
+template <typename K>
+typename T_NURCC_surface_3<K>::Bezier_element
+T_NURCC_surface_3<K>::regular_element(size_type i, const Regular_element& e) const
+{
+  const Patch& patch = m_basis.patch(i);
+  Bezier_element result{i, patch.u0 + e.u0, patch.v0 + e.v0, patch.u0 + e.u1, patch.v0 + e.v1,
+                        false, {}};
+  std::array<Vector_3, 16> points;
+  points.fill(NULL_VECTOR);
+  for(size_type f = e.first; f < e.last; ++f)
+  {
+    const auto& function = m_basis.function(f);
+    const Vector_3 p = control_point(function.control_point) - ORIGIN;
+    for(int j = 0; j < 4; ++j)
+      for(int k = 0; k < 4; ++k)
+      {
+        const FT weight = function.u[k] * function.v[j];
+        points[4 * j + k] = points[4 * j + k] + weight * p;
+      }
+  }
+  for(int k = 0; k < 16; ++k)
+    result.points[k] = ORIGIN + points[k];
+  return result;
+}
+
+// multiplies a stencil with the control points of an extraordinary face
+template <typename K>
+typename T_NURCC_surface_3<K>::Point_3
+T_NURCC_surface_3<K>::stencil_point(const Extraordinary_face& face,
+                                    const Eigen::Ref<const Eigen::RowVectorXd>& stencil) const
+{
+  Vector_3 p = NULL_VECTOR;
+  for(size_type k = 0; k < face.control_points.size(); ++k)
+    p = p + stencil[static_cast<Eigen::Index>(k)] * (control_point(face.control_points[k]) - ORIGIN);
+  return ORIGIN + p;
+}
+
+// turns the Bezier points of a piece at `corner` of a face into the frame of the face
+template <typename K>
+void T_NURCC_surface_3<K>::turn(int corner, std::array<Point_3, 16>& points)
+{
+  const std::array<Point_3, 16> p = points;
+  for(int j = 0; j < 4; ++j)
+    for(int i = 0; i < 4; ++i)
+      switch(corner)
+      {
+        case 0: break;
+        case 1: points[4 * i + 3 - j] = p[4 * j + i]; break;
+        case 2: points[4 * (3 - j) + 3 - i] = p[4 * j + i]; break;
+        default: points[4 * (3 - i) + j] = p[4 * j + i];
+      }
+}
+
+// the rectangle [s0, s1] x [t0, t1] of the quarter at `corner`, in the quad of the layout
+template <typename K>
+typename T_NURCC_surface_3<K>::Patch_origin
+T_NURCC_surface_3<K>::quarter_rectangle(const Patch& patch, int corner, double s0, double t0,
+                                        double s1, double t1)
+{
+  const std::array<double, 2> p = Extraordinary_face::to_face(corner, s0, t0);
+  const std::array<double, 2> q = Extraordinary_face::to_face(corner, s1, t1);
+  const double du = patch.u1 - patch.u0, dv = patch.v1 - patch.v0;
+  return Patch_origin{patch.quad,
+                      patch.u0 + du * (std::min)(p[0], q[0]), patch.v0 + dv * (std::min)(p[1], q[1]),
+                      patch.u0 + du * (std::max)(p[0], q[0]), patch.v0 + dv * (std::max)(p[1], q[1])};
+}
+
+template <typename K>
+void T_NURCC_surface_3<K>::add_extraordinary_elements(size_type i, int levels,
+                                                      std::vector<Bezier_element>& out) const
+{
+  typedef Surface_mesh_spline_conversion::internal::Stencil_matrix Stencil_matrix;
+  const Patch& patch = m_basis.patch(i);
+  const auto& face = m_basis.extraordinary_face(patch);
+  auto add = [&](int corner, const Stencil_matrix& m, double s0, double t0, double size)
+  {
+    const Patch_origin r = quarter_rectangle(patch, corner, s0, t0, s0 + size, t0 + size);
+    Bezier_element element{i, r.u0, r.v0, r.u1, r.v1, false, {}};
+    for(int k = 0; k < 16; ++k)
+      element.points[k] = stencil_point(face, m.row(k));
+    turn(corner, element.points);
+    out.push_back(element);
+  };
+  for(int corner = 0; corner < 4; ++corner)
+  {
+    if(face.quarters[corner].table == nullptr)
+    {
+      add(corner, face.bezier(corner, 0, 0), 0, 0, 1);
+      continue;
+    }
+    double size = 1;
+    for(int level = 1; level < levels; ++level)
+    {
+      size /= 2;
+      add(corner, face.bezier(corner, level, 0), size, 0, size);
+      add(corner, face.bezier(corner, level, 1), size, size, size);
+      add(corner, face.bezier(corner, level, 2), 0, size, size);
+    }
+    add(corner, face.bezier_at_extraordinary_point(corner, levels), 0, 0, size);
+    out.back().is_extraordinary = true;
+  }
+}
+
+template <typename K>
+int T_NURCC_surface_3<K>::minimum_ring_level(size_type i) const
+{
+  const Vertex center = m_extraordinary_points[i];
+  const Halfedge first = m_mesh.opposite(m_mesh.mesh().halfedge(center));
+  const auto unit = Surface_mesh_spline_conversion::internal::rounded_parameter(
+    m_mesh.length(first));
+  auto is_regular = [&](Vertex v)
+  {
+    if(m_mesh.is_extraordinary(v) || m_mesh.star(v).is_border || m_mesh.star(v).is_T)
+      return false;
+    for(const auto& interval : m_mesh.star(v).interval)
+      if(Surface_mesh_spline_conversion::internal::rounded_parameter(interval[0]) != unit)
+        return false;
+    return true;
+  };
+  int level = 0;
+  Halfedge h = first;
+  do
+  {
+    for(Halfedge g : m_mesh.mesh().halfedges_around_face(h))
+    {
+      const Vertex v = m_mesh.source(g);
+      if(v == center)
+        continue;
+      if(!is_regular(v))
+        return 2;
+      for(Halfedge e : m_mesh.mesh().halfedges_around_target(m_mesh.mesh().halfedge(v)))
+        for(Halfedge f : m_mesh.mesh().halfedges_around_face(e))
+          if(m_mesh.target(f) != center && !is_regular(m_mesh.target(f)))
+            level = 1;
+    }
+    h = m_mesh.rotated(h);
+  }
+  while(h != first);
+  return level;
+}
+
+template <typename K>
+typename T_NURCC_surface_3<K>::Extraordinary_ring
+T_NURCC_surface_3<K>::extraordinary_ring(size_type i, int level) const
+{
+  CGAL_precondition(level >= minimum_ring_level(i));
+  Extraordinary_ring ring;
+  const Vertex center = m_extraordinary_points[i];
+  ring.control_point = center;
+  ring.level = level;
+  const Halfedge first = m_mesh.opposite(m_mesh.mesh().halfedge(center));
+  Halfedge h = first;
+  do
+  {
+    add_sector(h, level, ring);
+    h = m_mesh.rotated(h);
+  }
+  while(h != first);
+  return ring;
+}
+
+// adds the sector to the left of `h`
+template <typename K>
+void T_NURCC_surface_3<K>::add_sector(Halfedge h, int level, Extraordinary_ring& ring) const
+{
+  namespace internal = Surface_mesh_spline_conversion::internal;
+  const size_type i = m_basis.patch_of_face(m_mesh.face(h));
+  const Patch& patch = m_basis.patch(i);
+  const auto& face = m_basis.extraordinary_face(patch);
+  const int corner = m_mesh.side(h);
+  const double size = std::ldexp(2., -level); // of the sector, in the quarter of the face
+  const Patch_origin r = quarter_rectangle(patch, corner, 0, 0, size, size);
+  ring.sectors.push_back(typename Extraordinary_ring::Sector{i, patch.quad, r.u0, r.v0, r.u1, r.v1,
+                                                             corner});
+  if(level == 0)
+  {
+    if(ring.points.empty())
+      ring.points.push_back(m_mesh.mesh().point(m_mesh.source(h)));
+    add_control_points_of_sector(h, ring);
+    return;
+  }
+  const internal::Face_quarter& quarter = face.quarters[corner];
+  const int n = quarter.table->valence();
+  const internal::Stencil_matrix net = quarter.table->net(level - 1) * quarter.net;
+  if(ring.points.empty())
+    ring.points.push_back(stencil_point(face, net.row(0)));
+  for(int a = 1; a <= 2; ++a)
+    for(int b = 0; b <= 2; ++b)
+      ring.points.push_back(stencil_point(face, net.row(internal::index_in_net(a, b, n))));
+}
+
+template <typename K>
+void T_NURCC_surface_3<K>::add_control_points_of_sector(Halfedge h, Extraordinary_ring& ring) const
+{
+  const auto& mesh = m_mesh.mesh();
+  for(int a = 1; a <= 2; ++a)
+  {
+    Halfedge g = m_mesh.next(h); // to the left of the end of h, at distance a from the center
+    ring.points.push_back(mesh.point(m_mesh.source(g)));
+    ring.points.push_back(mesh.point(m_mesh.target(g)));
+    g = m_mesh.next(m_mesh.opposite(m_mesh.next(g)));
+    ring.points.push_back(mesh.point(m_mesh.target(g)));
+    h = m_mesh.next(m_mesh.opposite(m_mesh.next(h)));
+  }
+}
+
+template <typename K>
+bool T_NURCC_surface_3<K>::is_valid() const
+{
+  namespace internal = Surface_mesh_spline_conversion::internal;
+  if(m_error != Error_code::OK || !m_mesh.is_valid())
+    return false;
+  const double tolerance = 1e-12; // rounding errors of sums of 16 products of order one
+  for(size_type i = 0; i < number_of_patches(); ++i)
+  {
+    const Patch& patch = m_basis.patch(i);
+    for(size_type e = m_basis.first_element(patch); e < m_basis.last_element(patch); ++e)
+    {
+      const auto& element = m_basis.element(e);
+      if(element.last - element.first != 16)
+        return false;
+      for(int k = 0; k < 16; ++k)
+      {
+        double sum = 0;
+        for(size_type f = element.first; f < element.last; ++f)
+          sum += m_basis.function(f).u[k & 3] * m_basis.function(f).v[k >> 2];
+        if(std::abs(sum - 1) > tolerance)
+          return false;
+      }
+    }
+    if(is_extraordinary_patch(i) && !m_basis.extraordinary_face(patch).is_valid(tolerance))
+      return false;
+  }
+  return true;
+}
+
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_SURFACE_T_NURCC_SURFACE_3_IMPL_H
