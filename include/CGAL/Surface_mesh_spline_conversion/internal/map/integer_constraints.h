@@ -25,8 +25,8 @@ namespace internal {
 
 // Turns integer arc lengths into equations for the re-solve of the map: one for every critical node
 // but one per component, along a spanning tree of the T-mesh, and one for every generator of the
-// fundamental group (the arcs outside of the tree and of a dual tree of the rectangles). As the
-// rectangles are simply connected, these imply the lengths of all arcs.
+// fundamental group, by a second tree dual to the first one. As the rectangles are simply connected,
+// these imply the lengths of all arcs.
 class Integer_constraint_builder
 {
 public:
@@ -42,9 +42,9 @@ public:
     for(int n = 0; n < static_cast<int>(m_t_mesh.nodes.size()); ++n)
       if(m_t_mesh.nodes[n].is_critical() && m_half_arc_to[n] >= 0)
         constraints.push_back(make_constraint(walk_from_anchor(n)));
-    const std::vector<char> is_in_dual_tree = grow_dual_tree();
+    const std::vector<char> is_implied = grow_dual_tree();
     for(int a = 0; a < static_cast<int>(m_t_mesh.arcs.size()); ++a)
-      if(!is_in_tree(a) && !is_in_dual_tree[a])
+      if(!is_in_tree(a) && !is_implied[a])
         constraints.push_back(make_constraint(walk_around(a)));
     return constraints;
   }
@@ -80,31 +80,64 @@ private:
            || m_half_arc_to[m_t_mesh.source(2 * arc)] == 2 * arc + 1;
   }
 
-  // the arcs crossed by a spanning tree of the rectangles that crosses no arc of the tree
+  // the half-arcs along each face: those around the rectangles, then those outside the boundary loops
+  std::vector<std::vector<int> > half_arcs_of_faces() const
+  {
+    std::vector<std::vector<int> > faces;
+    for(const T_mesh::Rectangle& rectangle : m_t_mesh.rectangles)
+    {
+      faces.emplace_back();
+      for(const std::vector<int>& side : rectangle.sides)
+        faces.back().insert(faces.back().end(), side.begin(), side.end());
+    }
+    std::vector<char> is_visited(m_t_mesh.arcs.size(), 0);
+    for(int first = 0; first < static_cast<int>(m_t_mesh.arcs.size()); ++first)
+    {
+      if(!m_t_mesh.arcs[first].is_on_boundary || is_visited[first])
+        continue;
+      faces.emplace_back();
+      for(int a = first; !is_visited[a]; a = m_t_mesh.nodes[m_t_mesh.target(2 * a)].slots[0] / 2)
+      {
+        is_visited[a] = 1;
+        faces.back().push_back(2 * a + 1);
+      }
+    }
+    return faces;
+  }
+
+  // The arcs whose lengths are implied: those crossed by a spanning tree of the faces that crosses
+  // no arc of the first tree. It contains the outsides of the boundary loops, from one of which it
+  // grows. These are no disks: ways around the other loops need an equation, so that the arcs by
+  // which the tree enters them do not count.
   std::vector<char> grow_dual_tree() const
   {
-    std::vector<char> is_crossed(m_t_mesh.arcs.size(), 0);
-    std::vector<char> is_reached(m_t_mesh.rectangles.size(), 0);
+    const std::vector<std::vector<int> > half_arcs = half_arcs_of_faces();
+    std::vector<int> face_of(m_t_mesh.number_of_half_arcs());
+    for(std::size_t f = 0; f < half_arcs.size(); ++f)
+      for(int h : half_arcs[f])
+        face_of[h] = static_cast<int>(f);
+
+    std::vector<char> is_implied(m_t_mesh.arcs.size(), 0);
+    std::vector<char> is_reached(half_arcs.size(), 0);
     std::vector<int> queue;
-    for(int root = 0; root < static_cast<int>(is_reached.size()); ++root)
+    for(std::size_t root = half_arcs.size(); root-- > 0;)
     {
       if(is_reached[root])
         continue;
-      queue.assign(1, root);
+      queue.assign(1, static_cast<int>(root));
       is_reached[root] = 1;
       for(std::size_t i = 0; i < queue.size(); ++i)
-        for(const std::vector<int>& side : m_t_mesh.rectangles[queue[i]].sides)
-          for(int h : side)
-          {
-            const int neighbor = m_t_mesh.rectangle_of[h ^ 1];
-            if(neighbor < 0 || is_reached[neighbor] || is_in_tree(h / 2))
-              continue;
-            is_reached[neighbor] = 1;
-            is_crossed[h / 2] = 1;
-            queue.push_back(neighbor);
-          }
+        for(int h : half_arcs[queue[i]])
+        {
+          const int neighbor = face_of[h ^ 1];
+          if(is_reached[neighbor] || is_in_tree(h / 2))
+            continue;
+          is_reached[neighbor] = 1;
+          is_implied[h / 2] = neighbor < static_cast<int>(m_t_mesh.rectangles.size());
+          queue.push_back(neighbor);
+        }
     }
-    return is_crossed;
+    return is_implied;
   }
 
   // the half-arcs in the tree that lead to `node` from the last critical node before it
