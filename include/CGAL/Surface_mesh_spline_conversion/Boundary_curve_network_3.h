@@ -47,16 +47,16 @@ namespace Surface_mesh_spline_conversion {
 /*!
 \ingroup PkgSurfaceMeshSplineConversionRef
 
-The class `Boundary_curve_network_3` knows which curves bound a triangle mesh. It checks mesh, curves
-and their association, finds the loops of the boundary and its corners, and offers the curves as
-*chains* that are parametrized by arc length.
+The class `Boundary_curve_network_3` knows which curves bound a triangle mesh. It checks mesh,
+curves and their association, finds the loops of the boundary and its corners, and offers the curves
+as *chains* that are parametrized by arc length.
 
 A boundary edge is named by its halfedge whose face lies in the mesh. *Loops* run along these
 halfedges, that is, with the mesh to the left. A *corner* is a boundary vertex at which the curves
-of its two edges have different tangents, or which the user declares to be one. A *chain* is the part
-of a loop between two consecutive corners, or a whole loop without corner; the latter is *closed*,
-and its arc lengths are taken modulo its length. A loop with one corner is one chain that is not
-closed, from the corner to itself.
+of its two edges have different tangents, or which the user declares to be one. A *chain* is the
+part of a loop between two consecutive corners, or a whole loop without corner; the latter is
+*closed*, and its arc lengths are taken modulo its length. A loop with one corner is one chain that
+is not closed, from the corner to itself.
 
 A mesh without boundary has a network without loops.
 
@@ -116,16 +116,16 @@ public:
 
   \tparam HalfedgeCurveMap a model of `ReadablePropertyMap` with
           `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and
-          `Curve_segment<BoundaryCurveTraits>` as value type; it is read for the halfedges of boundary
-          edges whose faces lie in the mesh
+          `Curve_segment<BoundaryCurveTraits>` as value type; it is read for the halfedges of
+          boundary edges whose faces lie in the mesh
   \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
   \param tm a triangle mesh, which must outlive the network
   \param halfedge_curve_map the curve of each boundary edge and its parameters at the ends of the
          edge
   \param traits the traits of the curves
-  \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
-         below
+  \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones
+         listed below
 
   \cgalNamedParamsBegin
     \cgalParamNBegin{vertex_point_map}
@@ -166,8 +166,8 @@ public:
     initialize(halfedge_curve_map, np);
   }
 
-  /// creates the network of a closed mesh, which has no curves. The parameters are those of the other
-  /// constructor. An open mesh gets the error that its boundary edges have no curves.
+  /// creates the network of a closed mesh, which has no curves. The parameters are those of the
+  /// other constructor. An open mesh gets the error that its boundary edges have no curves.
   template <typename NamedParameters = parameters::Default_named_parameters>
   explicit Boundary_curve_network_3(const TriangleMesh& tm,
                                     const NamedParameters& np = parameters::default_values())
@@ -189,7 +189,8 @@ public:
 
   /// @}
   /// \name Loops and Chains
-  /// All functions but those of the previous section have the precondition `error() == Error_code::OK`.
+  /// All functions but those of the previous section have the precondition
+  /// `error() == Error_code::OK`.
   /// @{
 
   /// returns the mesh.
@@ -241,8 +242,8 @@ public:
     return e != 0 && m_edges[e - 1].begins_at_corner;
   }
 
-  /// returns the interior angle of the mesh at the boundary vertex `v` in radians: the angle from the
-  /// tangent of the outgoing curve to that of the incoming curve, measured on the mesh.
+  /// returns the interior angle of the mesh at the boundary vertex `v` in radians: the angle from
+  /// the tangent of the outgoing curve to that of the incoming curve, measured on the mesh.
   FT corner_angle(vertex_descriptor v) const
   {
     const size_type e = get(m_outgoing_edge_number, v);
@@ -261,8 +262,8 @@ public:
   /// returns the length of a chain.
   FT length(size_type c) const { return m_chains[c].table.length(); }
 
-  /// returns the arc length at the source of edge `i` of chain `c`, or the length of the chain if `i`
-  /// is the number of its edges.
+  /// returns the arc length at the source of edge `i` of chain `c`, or the length of the chain if
+  /// `i` is the number of its edges.
   FT arc_length(size_type c, size_type i) const { return m_chains[c].table.arc_length(i); }
 
   /// returns the arc length at the parameter `t` of edge `i` of chain `c`.
@@ -277,7 +278,8 @@ public:
     return m_chains[c].segments[i];
   }
 
-  /// returns the place at the arc length `s` of chain `c`; it is the inverse of `arc_length(c, i, t)`.
+  /// returns the place at the arc length `s` of chain `c`; it is the inverse of
+  /// `arc_length(c, i, t)`.
   Chain_location locate(size_type c, const FT& s) const
   {
     const auto position = locate_parameter(c, s);
@@ -292,8 +294,8 @@ public:
     return oriented_segment(c, position.edge).point(position.parameter);
   }
 
-  /// returns the derivative with respect to arc length at the arc length `s` of chain `c`: of order 1
-  /// the unit tangent, of order 2 the curvature vector, of order 3 its derivative.
+  /// returns the derivative with respect to arc length at the arc length `s` of chain `c`: of order
+  /// 1 the unit tangent, of order 2 the curvature vector, of order 3 its derivative.
   /// \pre `1 <= order && order <= 3`
   Vector_3 derivative(size_type c, const FT& s, int order) const
   {
@@ -311,11 +313,33 @@ public:
     return (FT(0) <= remainder && remainder < total) ? remainder : FT(0);
   }
 
-  /// returns the point of chain `c` closest to `p` among those to which the distance decreases
-  /// when walking from the arc length `guess`.
+  /// returns the point of chain `c` closest to `p`, as found from the closest of a few points of
+  /// each edge. On curves that wind closely between these points, it may be a local minimum.
+  Projection project(size_type c, const Point_3& p) const
+  {
+    const int points_per_edge = 4;
+    FT guess(0), smallest_squared_distance = (point(c, FT(0)) - p).squared_length();
+    for(size_type i = 0; i < chain_halfedges(c).size(); ++i)
+      for(int k = 1; k <= points_per_edge; ++k)
+      {
+        const FT x = FT(k) / FT(points_per_edge);
+        const FT s = (FT(1) - x) * arc_length(c, i) + x * arc_length(c, i + 1);
+        const FT squared_distance = (point(c, s) - p).squared_length();
+        if(squared_distance < smallest_squared_distance)
+        {
+          guess = s;
+          smallest_squared_distance = squared_distance;
+        }
+      }
+    return project(c, p, guess);
+  }
+
+  /// returns a point of chain `c` from which the distance to `p` increases to both sides, as
+  /// reached from the arc length `guess` by steps that decrease the distance.
   Projection project(size_type c, const Point_3& p, const FT& guess) const
   {
-    // steps are halved until the distance decreases; when they drop below rounding, the foot is found
+    // Steps are halved until the distance decreases. When they drop below rounding, that is the
+    // foot.
     const int maximum_number_of_steps = 60;
     const FT smallest_step = FT(4) * (std::numeric_limits<FT>::epsilon)() * length(c);
     FT s = normalized_arc_length(c, guess);
@@ -382,7 +406,8 @@ private:
     number_edges();
     for(size_type l = 0; l < number_of_loops() && m_error == Error_code::OK; ++l)
     {
-      internal::Boundary_loop<TriangleMesh, BoundaryCurveTraits> loop(*m_tm, m_traits, l, m_loops[l]);
+      internal::Boundary_loop<TriangleMesh, BoundaryCurveTraits>
+        loop(*m_tm, m_traits, l, m_loops[l]);
       loop.read(halfedge_curve_map, vpm, mesh_check);
       if(loop.check_association(tolerance))
       {

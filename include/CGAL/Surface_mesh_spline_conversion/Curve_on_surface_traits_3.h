@@ -49,8 +49,8 @@ public:
   /// creates a handle that refers to no curve; it can only be compared and assigned.
   Curve_on_surface_3() {}
 
-  /// creates a curve from a surface and the degree, full knot vector, control points and weights (none
-  /// if it is polynomial) of the curve in its parameters.
+  /// creates a curve from a surface and the degree, full knot vector, control points and weights
+  /// (none if it is polynomial) of the curve in its parameters.
   /// \pre `defect(surface, degree, knots, control_points, weights).empty()`
   Curve_on_surface_3(const Surface& surface, int degree, std::vector<FT> knots,
                      const std::vector<Point_2>& control_points,

@@ -124,7 +124,8 @@ private:
     return {{u, v, constant(FT(0))}};
   }
 
-  // returns the point of a surface of revolution at the angle u, a distance from the axis, a height.
+  // returns the point of a surface of revolution at the angle u, a distance from the axis, a
+  // height.
   template <int order>
   static std::array<Taylor<order>, 3> revolve(const Taylor<order>& u, const Taylor<order>& distance,
                                               const Taylor<order>& height)

@@ -35,8 +35,8 @@ public:
   typedef typename K::Point_3 Point_3;
   typedef typename K::Vector_3 Vector_3;
 
-  /// is a handle to a curve given by functions. Copies share the functions, and two curves are equal if
-  /// they share them.
+  /// is a handle to a curve given by functions. Copies share the functions, and two curves are
+  /// equal if they share them.
   class Curve_3
   {
   public:

@@ -80,8 +80,8 @@ public:
   /*!
   returns the arc of \f$ \mathit{center} + \cos(a) x + \sin(a) y \f$ between two angles in radians,
   as a rational curve of degree 2. It is circular if `x` and `y` are perpendicular and of the same
-  length, otherwise elliptical. At the angles `first + i (last - first) / n`, where the `n` pieces
-  of the arc meet, the parameter is the angle; in between only nearly.
+  length, otherwise elliptical. The arc consists of equal pieces of at most a quarter turn; where
+  these meet, the parameter is the angle, in between only nearly.
 
   \pre `0 < last - first <= 2 * CGAL_PI` up to rounding
   */

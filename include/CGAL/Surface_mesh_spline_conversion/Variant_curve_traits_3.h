@@ -21,12 +21,12 @@ namespace Surface_mesh_spline_conversion {
 /*!
 \ingroup PkgSurfaceMeshSplineConversionCurveTraits
 
-The class `Variant_curve_traits_3` lets one mesh be bounded by curves of several kinds: its curves are
-`std::variant`s of the curves of other traits classes.
+The class `Variant_curve_traits_3` lets one mesh be bounded by curves of several kinds: its curves
+are `std::variant`s of the curves of other traits classes.
 
 \tparam FirstTraits a model of `BoundaryCurveTraits_3`
-\tparam OtherTraits models of `BoundaryCurveTraits_3` with the same number, point and vector types, and
-        pairwise different curve types
+\tparam OtherTraits models of `BoundaryCurveTraits_3` with the same number, point and vector types,
+        and pairwise different curve types
 
 \cgalModels{BoundaryCurveTraits_3}
 */
@@ -41,9 +41,11 @@ public:
   typedef typename FirstTraits::Vector_3 Vector_3;
   typedef std::variant<typename FirstTraits::Curve_3, typename OtherTraits::Curve_3...> Curve_3;
 
+  /// creates traits from default traits of each kind.
+  Variant_curve_traits_3() {}
+
   /// creates traits from those of each kind.
-  explicit Variant_curve_traits_3(const FirstTraits& first = FirstTraits(),
-                                  const OtherTraits&... others)
+  explicit Variant_curve_traits_3(const FirstTraits& first, const OtherTraits&... others)
     : m_traits(first, others...)
   {}
 

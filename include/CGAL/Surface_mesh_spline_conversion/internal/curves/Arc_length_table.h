@@ -17,7 +17,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -56,18 +55,41 @@ struct Gauss_legendre_rule
 };
 
 // Calls f(k, P_k(x), integral of P_k from -1 to x) for the Legendre polynomials P_k, k < n.
-template <typename FT, typename Function>
-void for_each_legendre_polynomial(int n, const FT& x, const Function& f)
+template <int n, typename FT>
+class Legendre_polynomials
 {
-  FT previous(0), current(1);
-  for(int k = 0; k < n; ++k)
+public:
+  template <typename Function>
+  static void for_each(const FT& x, const Function& f)
   {
-    const FT next = (FT(2 * k + 1) * x * current - FT(k) * previous) / FT(k + 1);
-    f(k, current, k == 0 ? x + FT(1) : (next - previous) / FT(2 * k + 1));
-    previous = current;
-    current = next;
+    FT previous(-1), current(1); // P_{-1} = -1 makes the formula of the integral fit P_0, too
+    for(int k = 0; k < n; ++k)
+    {
+      const FT next = factors[k].of_x * x * current - factors[k].of_previous * previous;
+      f(k, current, factors[k].of_integral * (next - previous));
+      previous = current;
+      current = next;
+    }
   }
-}
+
+private:
+  // of the recurrence (k+1) P_{k+1} = (2k+1) x P_k - k P_{k-1} and the integral
+  // (P_{k+1} - P_{k-1}) / (2k+1)
+  struct Factors
+  {
+    FT of_x, of_previous, of_integral;
+  };
+
+  static constexpr std::array<Factors, n> make_factors()
+  {
+    std::array<Factors, n> result{};
+    for(int k = 0; k < n; ++k)
+      result[k] = Factors{FT(2 * k + 1) / FT(k + 1), FT(k) / FT(k + 1), FT(1) / FT(2 * k + 1)};
+    return result;
+  }
+
+  static constexpr std::array<Factors, n> factors = make_factors();
+};
 
 // The arc length along a sequence of curve segments and its inverse.
 //
@@ -137,8 +159,8 @@ public:
     return piece->begin + length_and_speed(*piece, x_inside).first;
   }
 
-  // returns the place at the arc length s, which is clamped to [0, length()]. At the begin of an edge
-  // it is exactly the first parameter of that edge.
+  // returns the place at the arc length s, which is clamped to [0, length()]. At the begin of an
+  // edge it is exactly the first parameter of that edge.
   Position locate(const FT& s) const
   {
     CGAL_precondition(!m_pieces.empty());
@@ -157,6 +179,7 @@ public:
 private:
   typedef Gauss_legendre_rule<FT> Rule;
   static constexpr int number_of_coefficients = Rule::number_of_points;
+  typedef Legendre_polynomials<number_of_coefficients, FT> Polynomials;
 
   // Bisection stops at this depth (a kink of the speed is then located to rounding) or when an edge
   // has that many pieces (the speed is noise).
@@ -185,7 +208,7 @@ private:
     Rule::for_each_point([&](const FT& x, const FT& weight)
     {
       const FT value = std::abs(half_width) * speed(middle + x * half_width);
-      for_each_legendre_polynomial(number_of_coefficients, x, [&](int k, const FT& p, const FT&)
+      Polynomials::for_each(x, [&](int k, const FT& p, const FT&)
         { piece.speed[k] += FT(2 * k + 1) / FT(2) * weight * value * p; });
     });
     piece.length = FT(2) * piece.speed[0];
@@ -228,7 +251,7 @@ private:
   static std::pair<FT, FT> length_and_speed(const Piece& piece, const FT& x)
   {
     std::pair<FT, FT> result(FT(0), FT(0));
-    for_each_legendre_polynomial(number_of_coefficients, x,
+    Polynomials::for_each(x,
                                  [&](int k, const FT& p, const FT& integral)
     {
       result.first += piece.speed[k] * integral;
@@ -246,19 +269,22 @@ private:
     if(!(s < piece.length))
       return FT(1);
     const int maximum_number_of_steps = 100;
-    const FT resolution = FT(2) * (std::numeric_limits<FT>::epsilon)();
+    const FT small_step(1e-9); // the error after a Newton step is about its square
     FT low(-1), high(1), x = FT(2) * s / piece.length - FT(1);
     for(int i = 0; i < maximum_number_of_steps; ++i)
     {
       const std::pair<FT, FT> value = length_and_speed(piece, x);
       (value.first < s ? low : high) = x;
-      FT next = x - (value.first - s) / value.second;
-      if(!(low < next && next < high))
-        next = (low + high) / FT(2);
-      const FT step = std::abs(next - x);
-      x = next;
-      if(step <= resolution)
-        break;
+      const FT next = x - (value.first - s) / value.second;
+      if(low <= next && next <= high)
+      {
+        const FT step = std::abs(next - x);
+        x = next;
+        if(step <= small_step)
+          break;
+      }
+      else
+        x = (low + high) / FT(2);
     }
     return x;
   }

@@ -129,7 +129,8 @@ private:
     }
   }
 
-  // returns the index i of the non-empty span with knots[i] <= t < knots[i+1], clamped to the domain.
+  // returns the index i of the non-empty span with knots[i] <= t < knots[i+1], clamped to the
+  // domain.
   std::size_t span(const FT& t) const
   {
     const auto first = m_knots.begin() + m_second_knot;

@@ -137,7 +137,13 @@ public:
 
 private:
   // how the curves meet at a vertex; the middle values are those of Curve_joint
-  enum Joint_continuity { CORNER = 0, TANGENT_CONTINUOUS = 1, CURVATURE_CONTINUOUS = 2, NO_JOINT = 3 };
+  enum Joint_continuity
+  {
+    CORNER = 0,
+    TANGENT_CONTINUOUS = 1,
+    CURVATURE_CONTINUOUS = 2,
+    NO_JOINT = 3
+  };
 
   Boundary_association_check<Traits> association_check() const
   {
@@ -155,7 +161,7 @@ private:
     for(size_type k = 0; k < number_of_edges; ++k)
     {
       const size_type i = (begin + k) % m_halfedges.size();
-      if(m_joint_continuity[i] == TANGENT_CONTINUOUS || m_joint_continuity[i] == CURVATURE_CONTINUOUS)
+      if(m_joint_continuity[i] != CORNER && m_joint_continuity[i] != NO_JOINT)
         chain.joints.push_back(Curve_joint<FT>{k, chain.table.length(), m_joint_continuity[i],
                                                m_turning_angle[i]});
       if(!append_edge(i, chain))

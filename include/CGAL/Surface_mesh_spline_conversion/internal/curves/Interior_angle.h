@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
+#include <CGAL/Kernel_traits.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/properties.h>
 

@@ -76,8 +76,15 @@ public:
 
   // The limits of tangent and curvature vector at the ends of the segment, from inside: the curve
   // may have a knot there at which the traits return the derivative of the other side.
-  Vector_3 derivative_at_begin(int order) const { return derivative(inside(m_segment.first), order); }
-  Vector_3 derivative_at_end(int order) const { return derivative(inside(m_segment.second), order); }
+  Vector_3 derivative_at_begin(int order) const
+  {
+    return derivative(inside(m_segment.first), order);
+  }
+
+  Vector_3 derivative_at_end(int order) const
+  {
+    return derivative(inside(m_segment.second), order);
+  }
 
 private:
   // returns a parameter next to t on the side of the middle of the segment. The offset, relative to

@@ -22,8 +22,8 @@ namespace CGAL {
 namespace Surface_mesh_spline_conversion {
 namespace internal {
 
-// returns the boundary loops of a mesh. A loop consists of the halfedges whose faces lie in the mesh
-// (their opposites are border halfedges); the mesh is to their left.
+// returns the boundary loops of a mesh. A loop consists of the halfedges whose faces lie in the
+// mesh (their opposites are border halfedges); the mesh is to their left.
 // The loops are ordered by their first halfedges in halfedges(tm).
 template <typename TriangleMesh>
 std::vector<std::vector<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor> >
@@ -40,10 +40,11 @@ boundary_loops(const TriangleMesh& tm)
     if(!is_border(opposite(first, tm), tm) || is_border(first, tm) || get(is_visited, first))
       continue;
     loops.emplace_back();
-    for(halfedge_descriptor h = first; !get(is_visited, h); h = opposite(prev(opposite(h, tm), tm), tm))
+    for(halfedge_descriptor h = first; !get(is_visited, h); )
     {
       put(is_visited, h, true);
       loops.back().push_back(h);
+      h = opposite(prev(opposite(h, tm), tm), tm);
     }
   }
   return loops;

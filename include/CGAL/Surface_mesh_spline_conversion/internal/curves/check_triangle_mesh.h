@@ -13,6 +13,7 @@
 
 #include <CGAL/Surface_mesh_spline_conversion/Error_code.h>
 
+#include <CGAL/Kernel_traits.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
@@ -22,6 +23,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -40,6 +42,7 @@ class Triangle_mesh_check
   typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
   typedef typename Graph_traits::face_descriptor face_descriptor;
   typedef typename boost::property_traits<VertexPointMap>::value_type Point_3;
+  typedef typename Kernel_traits<Point_3>::Kernel::FT FT;
   typedef typename boost::property_map<TriangleMesh,
             dynamic_vertex_property_t<std::size_t> >::const_type Vertex_number_map;
 
@@ -178,8 +181,8 @@ private:
   static bool has_area(const Point_3& a, const Point_3& b, const Point_3& c)
   {
     const auto u = b - a, v = c - a;
-    const auto rounding = 8 * std::numeric_limits<typename Kernel_traits<Point_3>::Kernel::FT>::epsilon();
-    const auto product = std::sqrt(u.squared_length()) * std::sqrt(v.squared_length());
+    const FT rounding = FT(8) * (std::numeric_limits<FT>::epsilon)();
+    const FT product = std::sqrt(u.squared_length()) * std::sqrt(v.squared_length());
     return std::sqrt(cross_product(u, v).squared_length()) > rounding * product;
   }
 
