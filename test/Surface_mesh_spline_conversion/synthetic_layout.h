@@ -63,23 +63,31 @@ inline Surface height_field(double amplitude)
   return s;
 }
 
-// a cylinder z = x^2 / 5 over a domain whose lower side has a corner in the middle
-inline Surface notched_cylinder()
+// the graph of z = sin(3 x + 1/2) / 5 + 3 y^2 / 10 over a domain whose lower side has a corner in
+// the middle; pure derivatives only
+inline Surface notched_graph()
 {
+  auto y = [](double a, double b, int i, int j)
+  {
+    const double slope = a < 0.5 ? -0.4 : 0.4;
+    if(i + j > 1)
+      return 0.;
+    return i == 1 ? slope * (1 - b) : (j == 1 ? 1 - slope * (a - 0.5)
+                                              : b + slope * (a - 0.5) * (1 - b));
+  };
   Surface s;
   s.has_corner = true;
-  s.point = [](double a, double b)
+  s.derivative = [y](double a, double b, int i, int j)
   {
-    return Point(a, b + 0.4 * std::abs(a - 0.5) * (1 - b), a * a / 5);
+    const int order = i + j;
+    const double first = i > 0 ? y(a, b, 1, 0) : y(a, b, 0, 1), value = y(a, b, 0, 0);
+    const double square = order == 0 ? value * value
+                          : (order == 1 ? 2 * value * first : (order == 2 ? 2 * first * first : 0));
+    const double wave = j == 0 ? sine(3, a, 0.5, i) : 0;
+    return Vector(order == 0 ? a : (i == 1 ? 1 : 0), y(a, b, i, j), 0.2 * wave + 0.3 * square);
   };
-  s.derivative = [](double a, double b, int i, int j)
-  {
-    const double sign = a < 0.5 ? -1 : 1;
-    const double y = i == 0 && j == 1 ? 1 - 0.4 * std::abs(a - 0.5)
-                     : (i == 1 ? sign * 0.4 * (j == 0 ? 1 - b : (j == 1 ? -1 : 0)) : 0);
-    return Vector(i == 1 && j == 0 ? 1 : 0, y,
-                  j > 0 ? 0 : (i == 1 ? 2 * a / 5 : (i == 2 ? 2. / 5 : 0)));
-  };
+  const auto at = s.derivative;
+  s.point = [at](double a, double b) { return CGAL::ORIGIN + at(a, b, 0, 0); };
   return s;
 }
 
