@@ -21,6 +21,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -51,6 +53,14 @@ inline Blossom_arguments normalized(Blossom_arguments t, double first, double la
   return t;
 }
 
+/// a point on side `side` of a quad on the boundary, `parameter` counter clockwise in [0,1]
+struct Boundary_point
+{
+  std::size_t quad;
+  int side;
+  double parameter;
+};
+
 /// Builds vertices, edges and faces of a shell from rectangles of cells. A vertex stands at every
 /// corner of a face and wherever more than two faces, or the boundary and two faces, meet; between
 /// vertices the two faces share one edge.
@@ -67,27 +77,88 @@ public:
     : m_complex(complex), m_caps(caps), m_merger(merger)
   {}
 
-  /// \param is_required marks vertices of the complex that must become vertices if they lie between
-  ///        faces or on the boundary
-  void operator()(std::vector<Cell_rectangle> faces, const std::vector<char>& is_required,
-                  Shell& shell)
+  /// \param boundary_points where the boundary must have further vertices
+  void operator()(std::vector<Cell_rectangle> faces,
+                  const std::vector<Boundary_point>& boundary_points, Shell& shell)
   {
-    m_is_node = is_required;
-    m_is_node.resize(m_complex.number_of_vertices(), false);
+    m_is_node.assign(m_complex.number_of_vertices(), false);
+    for(const Boundary_point& point : boundary_points)
+      add_node(point);
     turn_caps(faces);
     std::vector<Loop> loops(faces.size());
     for(std::size_t f = 0; f < faces.size(); ++f)
       loops[f] = loop(faces[f]);
     mark_nodes(loops);
 
-    m_vertex.assign(m_complex.number_of_vertices(), NO_INDEX);
+    m_vertex.assign(m_is_node.size(), NO_INDEX);
     m_edge_of_segment.assign(m_complex.segments().size(), NO_INDEX);
     for(std::size_t f = 0; f < faces.size(); ++f)
       add_face(faces[f], loops[f], shell);
   }
 
 private:
-  typedef std::array<std::vector<Segment_use>, 4> Loop; // one run for each side of the face
+  // a segment, or the part of it between two further vertices, as fractions in its direction
+  struct Piece
+  {
+    Segment_use use;
+    double first;
+    double last;
+    std::size_t source;
+    std::size_t target;
+  };
+
+  typedef std::array<std::vector<Piece>, 4> Loop; // one run for each side of the face
+
+  // Turns a point of the boundary into a node: the vertex of the complex there, or a new one that
+  // cuts a segment.
+  void add_node(const Boundary_point& point)
+  {
+    constexpr double CLOSE = 1e-9; // in sides of quads; shorter edges make no sense
+    const std::vector<Cell_complex::Segment>& segments = m_complex.segments();
+    for(std::size_t i = 0; i < segments.size(); ++i)
+    {
+      const Cell_complex::Segment_side& left = segments[i].sides[0];
+      if(segments[i].sides[1].cell != NO_INDEX || left.quad_side != point.side
+         || m_complex.cells()[left.cell].quad != point.quad)
+        continue;
+      const Tick_rectangle& r = m_complex.cells()[left.cell].rectangle;
+      const int axis = point.side & 1;
+      const double begin = (point.side < 2) ? r.low[axis] : QUAD_TICKS - r.high[axis];
+      const double extent = double(r.extent(axis)) * (left.last - left.first);
+      const double first = begin + double(r.extent(axis)) * left.first;
+      const double fraction = (point.parameter * double(QUAD_TICKS) - first) / extent;
+      const double close = CLOSE * double(QUAD_TICKS) / extent;
+      if(fraction < -close || fraction > 1 + close)
+        continue;
+      if(fraction < close || fraction > 1 - close)
+        m_is_node[segments[i].vertex[fraction < close ? 0 : 1]] = true;
+      else
+      {
+        m_cuts[i].insert({fraction, m_is_node.size()});
+        m_is_node.push_back(true);
+      }
+      return;
+    }
+  }
+
+  void append_pieces(const Segment_use& use, std::vector<Piece>& pieces) const
+  {
+    Piece piece = {use, 0, 1, m_complex.source(use), m_complex.target(use)};
+    const auto cuts = m_cuts.find(use.segment);
+    if(cuts != m_cuts.end())
+      for(const auto& cut : cuts->second)
+      {
+        const std::size_t target = piece.target;
+        piece.last = cut.first;
+        piece.target = cut.second;
+        pieces.push_back(piece);
+        piece.first = piece.last;
+        piece.source = piece.target;
+        piece.last = 1;
+        piece.target = target;
+      }
+    pieces.push_back(piece);
+  }
 
   // the extraordinary point at the smallest parameters
   void turn_caps(std::vector<Cell_rectangle>& faces) const
@@ -120,8 +191,9 @@ private:
       for(const auto& entry : order)
       {
         const Placed_cell& placed = face.cells[entry.second];
-        const auto& uses = m_complex.uses(placed.cell, Cell_merger::cell_side(placed, side));
-        result[side].insert(result[side].end(), uses.begin(), uses.end());
+        for(const Segment_use& use
+            : m_complex.uses(placed.cell, Cell_merger::cell_side(placed, side)))
+          append_pieces(use, result[side]);
       }
     }
     return result;
@@ -130,17 +202,17 @@ private:
   void mark_nodes(const std::vector<Loop>& loops)
   {
     std::vector<char> is_outline(m_complex.segments().size(), false);
-    std::vector<int> degree(m_complex.number_of_vertices(), 0);
+    std::vector<int> degree(m_is_node.size(), 0);
     for(const Loop& loop : loops)
       for(const auto& side : loop)
       {
-        m_is_node[m_complex.source(side.front())] = true;
-        for(const Segment_use& use : side)
-          if(!is_outline[use.segment])
+        m_is_node[side.front().source] = true;
+        for(const Piece& piece : side)
+          if(!is_outline[piece.use.segment])
           {
-            is_outline[use.segment] = true;
-            ++degree[m_complex.source(use)];
-            ++degree[m_complex.target(use)];
+            is_outline[piece.use.segment] = true;
+            ++degree[m_complex.source(piece.use)];
+            ++degree[m_complex.target(piece.use)];
           }
       }
     for(std::size_t v = 0; v < degree.size(); ++v)
@@ -159,28 +231,30 @@ private:
     for(const auto& side : loop)
       for(std::size_t begin = 0, end; begin < side.size(); begin = end)
       {
-        for(end = begin + 1; end < side.size() && !m_is_node[m_complex.source(side[end])]; )
+        for(end = begin + 1; end < side.size() && !m_is_node[side[end].source]; )
           ++end;
         face.loop.push_back(oriented_edge({side.begin() + begin, side.begin() + end}, shell));
       }
     shell.add_face(std::move(face));
   }
 
-  typename Shell::Oriented_edge oriented_edge(const std::vector<Segment_use>& run, Shell& shell)
+  // the second face that comes along an edge finds it by the segments; boundary edges, which may be
+  // parts of segments, have one face only
+  typename Shell::Oriented_edge oriented_edge(const std::vector<Piece>& run, Shell& shell)
   {
-    const std::size_t known = m_edge_of_segment[run.front().segment];
-    if(known != NO_INDEX)
+    const std::size_t known = m_edge_of_segment[run.front().use.segment];
+    if(known != NO_INDEX && m_complex.across(run.front().use).cell != NO_INDEX)
       return {known, false};
     typename Shell::Edge edge;
     edge.curve = curve(run);
     auto& points = edge.curve.control_points;
-    edge.source = vertex(m_complex.source(run.front()), points.front(), shell);
-    edge.target = vertex(m_complex.target(run.back()), points.back(), shell);
+    edge.source = vertex(run.front().source, points.front(), shell);
+    edge.target = vertex(run.back().target, points.back(), shell);
     points.front() = shell.point(edge.source);
     points.back() = shell.point(edge.target);
     const std::size_t e = shell.add_edge(std::move(edge));
-    for(const Segment_use& use : run)
-      m_edge_of_segment[use.segment] = e;
+    for(const Piece& piece : run)
+      m_edge_of_segment[piece.use.segment] = e;
     return {e, true};
   }
 
@@ -206,16 +280,16 @@ private:
     return (side.last - side.first) * extent / double(QUAD_TICKS);
   }
 
-  B_spline_curve_3<K> curve(const std::vector<Segment_use>& run) const
+  B_spline_curve_3<K> curve(const std::vector<Piece>& run) const
   {
-    if(is_cap(m_complex.here(run.front())) && is_cap(m_complex.across(run.front())))
-      return spoke(run.front());
+    if(is_cap(m_complex.here(run.front().use)) && is_cap(m_complex.across(run.front().use)))
+      return spoke(run.front().use);
     std::vector<Cubic> pieces;
     std::vector<double> breaks(1, 0);
-    for(const Segment_use& use : run)
+    for(const Piece& piece : run)
     {
-      pieces.push_back(piece(use));
-      breaks.push_back(breaks.back() + length(use));
+      pieces.push_back(restriction(cubic(piece.use), piece.first, piece.last));
+      breaks.push_back(breaks.back() + (piece.last - piece.first) * length(piece.use));
     }
     B_spline_curve_3<K> result;
     for(std::size_t i = 0; i < pieces.size() + 3; ++i)
@@ -229,7 +303,7 @@ private:
   }
 
   // the curve of a segment as seen from the use, from a bicubic cell on either side
-  Cubic piece(const Segment_use& use) const
+  Cubic cubic(const Segment_use& use) const
   {
     if(!is_cap(m_complex.here(use)))
     {
@@ -331,9 +405,12 @@ private:
   const Cell_complex& m_complex;
   const std::vector<Cap>& m_caps;
   const Cell_merger& m_merger;
+  // vertices of the complex and, after them, those that cut segments
   std::vector<char> m_is_node;
-  std::vector<std::size_t> m_vertex;          // of the shell, by vertex of the complex
+  std::vector<std::size_t> m_vertex;          // of the shell
   std::vector<std::size_t> m_edge_of_segment;
+  // fraction and vertex of cuts, by segment
+  std::map<std::size_t, std::map<double, std::size_t> > m_cuts;
 };
 
 } // namespace internal

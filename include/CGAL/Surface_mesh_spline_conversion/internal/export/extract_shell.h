@@ -32,8 +32,7 @@ struct Extraction_settings
   bool across_patches;   ///< may faces cover several patches?
   int levels;            ///< of subdivision of the cells at extraordinary points
   double cap_tolerance;  ///< on the deviation of caps
-  /// points of quads, on the boundary, that must become vertices
-  std::vector<std::pair<std::size_t, Tick_point> > boundary_vertices;
+  std::vector<Boundary_point> boundary_points; ///< where the boundary must have vertices
 };
 
 struct Extraction_result
@@ -109,34 +108,6 @@ inline Cell_complex make_cell_complex(std::vector<Cell> cells, const Quad_neighb
   }
 }
 
-/// Cuts boundary cells at required vertices where no knot line ends.
-inline void cut_boundary_cells(
-  std::vector<Cell>& cells, const std::vector<std::pair<std::size_t, Tick_point> >& points)
-{
-  for(const auto& point : points)
-    for(std::size_t c = 0; c < cells.size(); ++c)
-    {
-      const Tick_rectangle r = cells[c].rectangle;
-      if(cells[c].quad != point.first)
-        continue;
-      for(int axis = 0; axis < 2; ++axis)
-      {
-        const std::int64_t across = point.second[1 - axis], t = point.second[axis];
-        if((across != r.low[1 - axis] && across != r.high[1 - axis])
-           || (across != 0 && across != QUAD_TICKS) || t <= r.low[axis] || t >= r.high[axis])
-          continue;
-        const double s = double(t - r.low[axis]) / double(r.extent(axis));
-        Cell second = cells[c];
-        cells[c].rectangle.high[axis] = second.rectangle.low[axis] = t;
-        const Bicubic whole = second.points;
-        cells[c].points = restriction(whole, 0, 0, axis == 0 ? s : 1, axis == 0 ? 1 : s);
-        second.points = restriction(whole, axis == 0 ? s : 0, axis == 0 ? 0 : s, 1, 1);
-        cells.push_back(second);
-        break;
-      }
-    }
-}
-
 /// The whole extraction for any set of cells: caps, rectangles, topology.
 /// \param position returns the point of a patch at coordinates of its quad, in [0,1]
 template <typename K, typename Position>
@@ -145,7 +116,6 @@ Extraction_result extract_shell(std::vector<Cell> cells, const Quad_neighbors& n
                                 NURBS_shell_3<K>& shell)
 {
   const double equality = RELATIVE_EQUALITY * largest_coordinate(cells);
-  cut_boundary_cells(cells, settings.boundary_vertices);
   const Cell_complex all = make_cell_complex(std::move(cells), neighbors);
   Cap_builder<Position> builder(all, position,
                                 {settings.cap_tolerance, equality, settings.levels});
@@ -154,14 +124,7 @@ Extraction_result extract_shell(std::vector<Cell> cells, const Quad_neighbors& n
 
   Cell_merger merger(complex, equality);
   std::vector<Cell_rectangle> faces = merger(settings.across_patches);
-  std::vector<char> is_required(complex.number_of_vertices(), false);
-  for(const auto& point : settings.boundary_vertices)
-  {
-    const std::size_t v = complex.vertex_at(point.first, point.second);
-    if(v != NO_INDEX)
-      is_required[v] = true;
-  }
-  Shell_assembler<K>(complex, caps, merger)(std::move(faces), is_required, shell);
+  Shell_assembler<K>(complex, caps, merger)(std::move(faces), settings.boundary_points, shell);
 
   Extraction_result result;
   result.number_of_caps = caps.size();
