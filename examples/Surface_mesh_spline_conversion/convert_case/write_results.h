@@ -124,7 +124,9 @@ bool write_faces(const Options& options, const std::vector<CGAL::T_NURCC_surface
   for(const CGAL::T_NURCC_surface_3<K>& surface : surfaces)
   {
     SC::NURBS_shell_3<K> part;
-    SC::extract_NURBS_faces(surface, part);
+    SC::extract_NURBS_faces(surface, part,
+                            CGAL::parameters::interior_tolerance(report.interior_tolerance)
+                              .do_merge_patches(options.do_merge));
     append(part, shell);
   }
   report.counts.nurbs_faces = shell.number_of_faces();
