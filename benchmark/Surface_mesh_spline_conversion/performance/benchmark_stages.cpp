@@ -185,8 +185,10 @@ int main(int argc, char* argv[])
     {"fit_interior", measure_fit_interior},
     {"evaluation", measure_evaluation}};
   for(const auto& measurement : measurements)
-    benchmark::RegisterBenchmark(measurement.first, [&pipeline, measurement](benchmark::State& state)
-      { measurement.second(state, pipeline); })->Unit(benchmark::kMillisecond);
+    benchmark::RegisterBenchmark(
+      measurement.first,
+      [&pipeline, measurement](benchmark::State& state) { measurement.second(state, pipeline); })
+      ->Unit(benchmark::kMillisecond);
   benchmark::RunSpecifiedBenchmarks();
   return EXIT_SUCCESS;
 }
