@@ -21,7 +21,7 @@ public:
   {
     std::vector<size_type> control_points;
     std::vector<double> knots;
-    bool closed;
+    bool is_closed;
   };
 
   Tensor_product_surface(const Layout& layout, int m, int n, bool is_periodic)
@@ -97,7 +97,7 @@ public:
     const bool is_row = side % 2 == 0;
     const SC::internal::Cubic_spline_basis& b = is_row ? u() : v();
     Boundary_curve result;
-    result.closed = m_is_periodic;
+    result.is_closed = m_is_periodic;
     std::vector<std::pair<double, size_type> > entries;
     for(size_type i = 0; i < b.size(); ++i)
     {
@@ -118,8 +118,11 @@ public:
     for(const auto& e : entries)
       result.control_points.push_back(e.second);
     if(m_is_periodic)
+    {
       for(const auto& e : entries)
         result.knots.push_back(e.first);
+      result.knots.push_back(entries.front().first + m_m);
+    }
     else
     {
       result.knots = clamped(m_breaks[is_row ? 0 : 1]);

@@ -12,7 +12,7 @@
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
 #include <CGAL/Surface_mesh_spline_conversion/internal/map/Seamless_map.h>
-#include <CGAL/Surface_mesh_spline_conversion/internal/map/T_mesh.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/map/Motorcycle_graph.h>
 
 #include <string>
 #include <vector>
@@ -42,7 +42,7 @@ struct Integer_grid_map
 {
   internal::Seamless_map map;   ///< the map
   bool is_resolved = false;     ///< `true` if singularities, corners and translations are integers
-  internal::T_mesh t_mesh;      ///< the motorcycle graph of the map before the re-solve
+  internal::Motorcycle_graph graph;      ///< the motorcycle graph of the map before the re-solve
   std::vector<int> lengths;     ///< per arc of the motorcycle graph: its length in quads
   int number_of_quads = 0;      ///< number of quads of the layout
   double parameter_area = 0;    ///< number of quads if all had the wanted size

@@ -44,7 +44,7 @@ public:
     : m_points(converted(points)),
       m_tree(boost::counting_iterator<std::size_t>(0),
              boost::counting_iterator<std::size_t>(points.size()), typename Search::Splitter(),
-             Traits(CGAL::make_property_map(m_points)))
+             Traits(CGAL::make_property_map(std::as_const(m_points))))
   {
     if(!m_points.empty())
       m_tree.build();

@@ -12,6 +12,7 @@
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
 #include <CGAL/Surface_mesh_spline_conversion/NURBS_shell_3.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/to_eigen.h>
 
 #include <CGAL/number_utils.h>
 
@@ -27,12 +28,6 @@
 namespace CGAL {
 namespace Surface_mesh_spline_conversion {
 namespace internal {
-
-template <typename Point>
-Eigen::Vector3d to_eigen(const Point& p)
-{
-  return Eigen::Vector3d(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
-}
 
 /// a polynomial piece of a face, with its own parameters in [0,1]
 struct Bezier_piece

@@ -16,7 +16,7 @@
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/Cached_curve_target.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/fit_parameters.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/plan_bisection.h>
-#include <CGAL/Surface_mesh_spline_conversion/internal/fitting/to_eigen.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/to_eigen.h>
 
 #include <CGAL/Real_timer.h>
 #include <CGAL/number_utils.h>
@@ -112,8 +112,12 @@ private:
     const auto curve = m_surface.boundary_curve(chain);
     for(const auto& x : curve.knots)
       result.knots.push_back(CGAL::to_double(x));
-    if(curve.closed)
-      result.period = static_cast<double>(m_target.number_of_sides(chain));
+    if(curve.is_closed)
+    {
+      // the last knot is the first one of the next period
+      result.period = result.knots.back() - result.knots.front();
+      result.knots.pop_back();
+    }
     return result;
   }
 

@@ -12,13 +12,13 @@
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/Interior_samples.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/to_eigen.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/patches/quad_sides.h>
 
 #include <Eigen/Core>
 #include <Eigen/LU>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstddef>
 #include <numeric>
 #include <vector>
@@ -35,16 +35,14 @@ struct Largest_error
 };
 
 // Finds the point of the surface closest to a point of the target, by Gauss-Newton steps in the
-// local coordinates of a quad; stays in the quad, hence the distance is an upper bound.
-template <typename Surface, typename Place>
-Eigen::Vector3d foot_point_on_surface(const Surface& surface, const Eigen::Vector3d& query,
-                                      Place place)
+// local coordinates of the quads.
+template <typename Surface, typename Layout, typename Place>
+Eigen::Vector3d foot_point_on_surface(const Surface& surface, const Layout& layout,
+                                      const Eigen::Vector3d& query, Place place)
 {
   typedef decltype(place.u) FT;
   constexpr int maximum_number_of_steps = 4;
-  constexpr double smallest_step = 1e-4; // in quads
-  auto clamped = [](const FT& x) { return (std::max)(FT(0), (std::min)(x, FT(1))); };
-
+  constexpr double smallest_step = 1e-4, largest_step = 0.25; // in quads
   Eigen::Vector3d best = to_eigen(surface.position(place.patch, place.u, place.v));
   for(int step = 0; step < maximum_number_of_steps; ++step)
   {
@@ -54,16 +52,16 @@ Eigen::Vector3d foot_point_on_surface(const Surface& surface, const Eigen::Vecto
     const Eigen::Matrix2d gram = tangents.transpose() * tangents;
     if(!(gram.determinant() > 0))
       break;
-    const Eigen::Vector2d move = gram.inverse() * (tangents.transpose() * (query - best));
-    Place next = place;
-    next.u = clamped(place.u + FT(move[0]));
-    next.v = clamped(place.v + FT(move[1]));
-    next.patch = surface.patch_at(next.quad, next.u, next.v);
-    const Eigen::Vector3d p = to_eigen(surface.position(next.patch, next.u, next.v));
+    Eigen::Vector2d move = gram.inverse() * (tangents.transpose() * (query - best));
+    move = move.cwiseMax(-largest_step).cwiseMin(largest_step);
+    const Quad_point<FT> next = cross_sides(
+      layout, Quad_point<FT>{place.quad, place.u + FT(move[0]), place.v + FT(move[1])});
+    const std::size_t patch = surface.patch_at(next.quad, next.u, next.v);
+    const Eigen::Vector3d p = to_eigen(surface.position(patch, next.u, next.v));
     if(!((p - query).squaredNorm() < (best - query).squaredNorm()))
       break;
     best = p;
-    place = next;
+    place = Place{patch, next.quad, next.u, next.v};
     if(move.lpNorm<Eigen::Infinity>() < smallest_step)
       break;
   }
@@ -156,7 +154,8 @@ private:
 
   double distance_to_surface(size_type i) const
   {
-    const Eigen::Vector3d foot = foot_point_on_surface(m_surface, target_point(i), place(i));
+    const Eigen::Vector3d foot = foot_point_on_surface(m_surface, m_target.layout(),
+                                                      target_point(i), place(i));
     return (foot - target_point(i)).norm();
   }
 

@@ -15,7 +15,7 @@
 #include <CGAL/Surface_mesh_spline_conversion/internal/layout/Mapped_quads.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/map/Quantization.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/map/integer_constraints.h>
-#include <CGAL/Surface_mesh_spline_conversion/internal/map/motorcycle_graph.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/map/build_motorcycle_graph.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/map/solve_integer_grid_map.h>
 
 #include <cmath>
@@ -39,11 +39,11 @@ public:
   {
     m_result.is_resolved = false;
     m_result.map = seamless;
-    m_result.message = compute_motorcycle_graph(seamless, m_result.t_mesh);
+    m_result.message = compute_motorcycle_graph(seamless, m_result.graph);
     if(!m_result.message.empty())
       return false;
     measure_area();
-    Quantization quantization(m_result.t_mesh, seamless.fractional_bits);
+    Quantization quantization(m_result.graph, seamless.fractional_bits);
     if(!quantization.quantize_all_positive())
     {
       m_result.message = "no integer lengths were found for the motorcycle graph";
@@ -61,11 +61,11 @@ private:
   void measure_area()
   {
     m_result.parameter_area = 0;
-    for(int r = 0; r < static_cast<int>(m_result.t_mesh.rectangles.size()); ++r)
+    for(int r = 0; r < static_cast<int>(m_result.graph.rectangles.size()); ++r)
       m_result.parameter_area
-        += std::ldexp(static_cast<double>(m_result.t_mesh.side_length(r, 0)),
+        += std::ldexp(static_cast<double>(m_result.graph.side_length(r, 0)),
                       -m_result.map.fractional_bits)
-           * std::ldexp(static_cast<double>(m_result.t_mesh.side_length(r, 1)),
+           * std::ldexp(static_cast<double>(m_result.graph.side_length(r, 1)),
                         -m_result.map.fractional_bits);
   }
 
@@ -73,7 +73,7 @@ private:
   bool solve_again(const Seamless_map& seamless, const std::vector<int>& lengths)
   {
     const std::vector<Integer_constraint> constraints
-      = integer_constraints(seamless, m_result.t_mesh, lengths);
+      = integer_constraints(seamless, m_result.graph, lengths);
     Seamless_map resolved;
     if(!solve_integer_grid_map(seamless, constraints, resolved))
     {
@@ -95,7 +95,7 @@ private:
   std::vector<int> critical_corners(const Seamless_map& map) const
   {
     std::vector<int> corners;
-    for(const T_mesh::Node& node : m_result.t_mesh.nodes)
+    for(const Motorcycle_graph::Node& node : m_result.graph.nodes)
       if(node.is_critical())
         corners.push_back(map.mesh.vertex_halfedge[node.vertex]);
     return corners;

@@ -66,7 +66,7 @@ private:
   const char* build_from_rectangles(const Integer_grid_map& igm,
                                     const Boundary_positions& positions)
   {
-    Rectangle_composition composition(igm.map, igm.t_mesh, igm.lengths, positions, m_quads,
+    Rectangle_composition composition(igm.map, igm.graph, igm.lengths, positions, m_quads,
                                       m_locator);
     const char* failure = composition.build();
     m_places = composition.places();

@@ -14,7 +14,7 @@
 #include <CGAL/Surface_mesh_spline_conversion/internal/layout/Boundary_positions.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/layout/Quad_grid.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/layout/Triangle_locator.h>
-#include <CGAL/Surface_mesh_spline_conversion/internal/map/T_mesh.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/map/Motorcycle_graph.h>
 
 #include <algorithm>
 #include <array>
@@ -98,10 +98,10 @@ public:
     int i, j;
   };
 
-  Rectangle_composition(const Seamless_map& map, const T_mesh& t_mesh,
+  Rectangle_composition(const Seamless_map& map, const Motorcycle_graph& graph,
                         const std::vector<int>& lengths, const Boundary_positions& positions,
                         Quad_grid& quads, Triangle_locator& locator)
-    : m_map(map), m_t_mesh(t_mesh), m_lengths(lengths), m_positions(positions), m_quads(quads),
+    : m_map(map), m_t_mesh(graph), m_lengths(lengths), m_positions(positions), m_quads(quads),
       m_locator(locator), m_unit(std::ldexp(1., map.fractional_bits))
   {}
 
@@ -132,7 +132,7 @@ private:
 
   bool add_rectangle(int r)
   {
-    const T_mesh::Rectangle& rectangle = m_t_mesh.rectangles[r];
+    const Motorcycle_graph::Rectangle& rectangle = m_t_mesh.rectangles[r];
     Rectangle_shears shears;
     shears.bottom = side_function(rectangle.sides[0]);
     shears.right = side_function(rectangle.sides[1]);
@@ -237,7 +237,7 @@ private:
   }
 
   // Notes the sides of quads along the half-arcs of a rectangle.
-  void collect_unit_sides(const T_mesh::Rectangle& rectangle, int first, int width, int height)
+  void collect_unit_sides(const Motorcycle_graph::Rectangle& rectangle, int first, int width, int height)
   {
     for(int side = 0; side < 4; ++side)
     {
@@ -322,7 +322,7 @@ private:
   }
 
   const Seamless_map& m_map;
-  const T_mesh& m_t_mesh;
+  const Motorcycle_graph& m_t_mesh;
   const std::vector<int>& m_lengths;
   const Boundary_positions& m_positions;
   Quad_grid& m_quads;

@@ -11,7 +11,7 @@
 
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
-#include <CGAL/Surface_mesh_spline_conversion/internal/map/T_mesh.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/map/Motorcycle_graph.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -39,13 +39,13 @@ public:
   };
 
   // the network of a T-mesh with the wanted lengths `targets` in quads
-  Length_network(const T_mesh& t_mesh, std::vector<double> targets)
-    : m_targets(std::move(targets)), m_equations(2 * t_mesh.rectangles.size()),
-      m_arcs(t_mesh.arcs.size())
+  Length_network(const Motorcycle_graph& graph, std::vector<double> targets)
+    : m_targets(std::move(targets)), m_equations(2 * graph.rectangles.size()),
+      m_arcs(graph.arcs.size())
   {
-    for(std::size_t r = 0; r < t_mesh.rectangles.size(); ++r)
+    for(std::size_t r = 0; r < graph.rectangles.size(); ++r)
       for(int side = 0; side < 4; ++side)
-        for(int h : t_mesh.rectangles[r].sides[side])
+        for(int h : graph.rectangles[r].sides[side])
           add_occurrence(h / 2, static_cast<int>(2 * r) + (side & 1), side < 2 ? 1 : -1);
     initialize();
   }

@@ -28,9 +28,9 @@ namespace internal {
 class Quantization
 {
 public:
-  Quantization(const T_mesh& t_mesh, int fractional_bits)
-    : m_t_mesh(t_mesh), m_targets(real_lengths(t_mesh, fractional_bits)),
-      m_network(t_mesh, m_targets), m_oracle(t_mesh)
+  Quantization(const Motorcycle_graph& graph, int fractional_bits)
+    : m_t_mesh(graph), m_targets(real_lengths(graph, fractional_bits)),
+      m_network(graph, m_targets), m_oracle(graph)
   {
     find_loops();
   }
@@ -62,10 +62,10 @@ public:
   const std::vector<int>& lengths() const { return m_network.lengths(); }
 
   // the wanted lengths in quads
-  static std::vector<double> real_lengths(const T_mesh& t_mesh, int fractional_bits)
+  static std::vector<double> real_lengths(const Motorcycle_graph& graph, int fractional_bits)
   {
     std::vector<double> lengths;
-    for(const T_mesh::Arc& arc : t_mesh.arcs)
+    for(const Motorcycle_graph::Arc& arc : graph.arcs)
       lengths.push_back(std::ldexp(static_cast<double>(arc.length), -fractional_bits));
     return lengths;
   }
@@ -169,7 +169,7 @@ private:
     return false;
   }
 
-  const T_mesh& m_t_mesh;
+  const Motorcycle_graph& m_t_mesh;
   std::vector<double> m_targets;
   Length_network m_network;
   Quantization_oracle m_oracle;

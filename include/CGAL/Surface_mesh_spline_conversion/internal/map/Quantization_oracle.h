@@ -11,7 +11,7 @@
 
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
-#include <CGAL/Surface_mesh_spline_conversion/internal/map/T_mesh.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/map/Motorcycle_graph.h>
 
 #include <array>
 #include <cstddef>
@@ -29,8 +29,8 @@ namespace internal {
 class Quantization_oracle
 {
 public:
-  explicit Quantization_oracle(const T_mesh& t_mesh)
-    : m_t_mesh(t_mesh), m_euler_characteristic(t_mesh.euler_characteristic())
+  explicit Quantization_oracle(const Motorcycle_graph& graph)
+    : m_t_mesh(graph), m_euler_characteristic(graph.euler_characteristic())
   {}
 
   bool operator()(const std::vector<int>& lengths)
@@ -97,7 +97,7 @@ private:
   // identifies opposite sides of rectangles without width; `false` if opposite sides differ
   bool collapse_rectangles(const std::vector<int>& lengths)
   {
-    for(const T_mesh::Rectangle& rectangle : m_t_mesh.rectangles)
+    for(const Motorcycle_graph::Rectangle& rectangle : m_t_mesh.rectangles)
     {
       std::array<std::size_t, 2> size;
       for(int direction = 0; direction < 2; ++direction)
@@ -129,7 +129,7 @@ private:
   {
     m_number_of_quads = 0;
     m_number_of_inner_points = 0;
-    for(const T_mesh::Rectangle& rectangle : m_t_mesh.rectangles)
+    for(const Motorcycle_graph::Rectangle& rectangle : m_t_mesh.rectangles)
     {
       const std::int64_t w = side_size(rectangle.sides[0], lengths);
       const std::int64_t h = side_size(rectangle.sides[1], lengths);
@@ -152,7 +152,7 @@ private:
     std::int64_t number_of_border_sides = 0;
     for(std::size_t i = 0; i < m_t_mesh.nodes.size(); ++i)
     {
-      const T_mesh::Node& node = m_t_mesh.nodes[i];
+      const Motorcycle_graph::Node& node = m_t_mesh.nodes[i];
       Point_class& c = m_classes[find(static_cast<int>(i))];
       c.is_on_boundary = c.is_on_boundary || node.is_on_boundary;
       c.number_of_critical += node.is_critical() ? 1 : 0;
@@ -182,7 +182,7 @@ private:
            == 2 * m_euler_characteristic;
   }
 
-  const T_mesh& m_t_mesh;
+  const Motorcycle_graph& m_t_mesh;
   std::int64_t m_euler_characteristic;
   std::int64_t m_number_of_quads = 0;
   std::int64_t m_number_of_inner_points = 0;

@@ -11,7 +11,7 @@
 
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
-#include <CGAL/Surface_mesh_spline_conversion/internal/map/T_mesh.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/map/Motorcycle_graph.h>
 
 #include <algorithm>
 #include <array>
@@ -30,9 +30,9 @@ namespace internal {
 class Integer_constraint_builder
 {
 public:
-  Integer_constraint_builder(const Seamless_map& map, const T_mesh& t_mesh,
+  Integer_constraint_builder(const Seamless_map& map, const Motorcycle_graph& graph,
                              const std::vector<int>& lengths)
-    : m_map(map), m_t_mesh(t_mesh), m_lengths(lengths)
+    : m_map(map), m_t_mesh(graph), m_lengths(lengths)
   {}
 
   std::vector<Integer_constraint> build()
@@ -152,7 +152,7 @@ private:
     int rotation = 0; // from the first chart to the present one
     for(int h : walk)
     {
-      const T_mesh::Arc& arc = m_t_mesh.arcs[h / 2];
+      const Motorcycle_graph::Arc& arc = m_t_mesh.arcs[h / 2];
       const Fixed_point_2 axis = axis_vector(m_t_mesh.ray(h).direction - rotation);
       for(int i = 0; i < 2; ++i)
         difference[i] += m_lengths[h / 2] * axis[i];
@@ -168,16 +168,16 @@ private:
   int vertex(int node) const { return m_t_mesh.nodes[node].vertex; }
 
   const Seamless_map& m_map;
-  const T_mesh& m_t_mesh;
+  const Motorcycle_graph& m_t_mesh;
   const std::vector<int>& m_lengths;
   std::vector<int> m_half_arc_to; // per node: the half-arc of the tree that leads to it, or -1
 };
 
 inline std::vector<Integer_constraint> integer_constraints(const Seamless_map& map,
-                                                           const T_mesh& t_mesh,
+                                                           const Motorcycle_graph& graph,
                                                            const std::vector<int>& lengths)
 {
-  return Integer_constraint_builder(map, t_mesh, lengths).build();
+  return Integer_constraint_builder(map, graph, lengths).build();
 }
 
 } // namespace internal

@@ -24,7 +24,8 @@ namespace internal {
 
 // Finds the point of the patches closest to a given point, by Gauss-Newton steps in the local
 // coordinates of the quads. The patches are only continuous, hence tangents are difference
-// quotients, and a step that does not decrease the distance is halved and then given up.
+// quotients, and a step that does not decrease the distance is halved and then given up. Where
+// this ends at a kink, which the remaining tangential distance shows, a pattern search goes on.
 template <typename Target>
 class Patch_foot_point
 {
@@ -46,6 +47,8 @@ public:
     for(int step = 0; step < maximum_number_of_steps; ++step)
       if(!improve())
         break;
+    if(!m_is_orthogonal)
+      search();
     return m_point;
   }
 
@@ -71,11 +74,27 @@ private:
     const FT aa = a * a, ab = a * b, bb = b * b, determinant = aa * bb - ab * ab;
     if(!(determinant > FT(0)))
       return false;
+    m_is_orthogonal = is_small(a * r, aa * (r * r)) && is_small(b * r, bb * (r * r));
     const FT u = clamped((bb * (a * r) - ab * (b * r)) / determinant);
     const FT v = clamped((aa * (b * r) - ab * (a * r)) / determinant);
     if(CGAL::abs(u) + CGAL::abs(v) < smallest_step())
       return false;
     return move(u, v) || move(u / FT(2), v / FT(2));
+  }
+
+  // compares the cosine of the angle between tangent and difference with 0.1: the distance is then
+  // within one percent of that to the tangent plane
+  static bool is_small(const FT& product, const FT& squared_lengths)
+  {
+    return product * product <= FT(0.01) * squared_lengths;
+  }
+
+  void search()
+  {
+    const FT first_step(1. / 32), last_step(1. / 256);
+    for(FT step = first_step; step >= last_step; )
+      if(!move(step, FT(0)) && !move(-step, FT(0)) && !move(FT(0), step) && !move(FT(0), -step))
+        step /= FT(2);
   }
 
   static FT clamped(const FT& x)
@@ -102,6 +121,7 @@ private:
   Place m_place;
   Point_3 m_point;
   FT m_squared_distance;
+  bool m_is_orthogonal = false;
 };
 
 template <typename Target>

@@ -6,13 +6,13 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-#ifndef CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_MAP_MOTORCYCLE_GRAPH_H
-#define CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_MAP_MOTORCYCLE_GRAPH_H
+#ifndef CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_MAP_BUILD_MOTORCYCLE_GRAPH_H
+#define CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_MAP_BUILD_MOTORCYCLE_GRAPH_H
 
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
 #include <CGAL/Surface_mesh_spline_conversion/internal/map/Motorcycle_tracer.h>
-#include <CGAL/Surface_mesh_spline_conversion/internal/map/T_mesh.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/map/Motorcycle_graph.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -30,14 +30,14 @@ class Motorcycle_graph_builder
   typedef Isoline_trace Trace;
 
 public:
-  Motorcycle_graph_builder(const Seamless_map& map, T_mesh& t_mesh)
-    : m_map(map), m_mesh(map.mesh), m_t_mesh(t_mesh), m_tracer(map)
+  Motorcycle_graph_builder(const Seamless_map& map, Motorcycle_graph& graph)
+    : m_map(map), m_mesh(map.mesh), m_t_mesh(graph), m_tracer(map)
   {}
 
   // returns an empty string or says what is wrong with the map
   const char* build()
   {
-    m_t_mesh = T_mesh();
+    m_t_mesh = Motorcycle_graph();
     if(!add_sources())
       return "the cones of the seamless map do not agree with its coordinates";
     if(!m_tracer.run())
@@ -145,7 +145,7 @@ private:
   void add_source_nodes()
   {
     for(const Motorcycle_tracer::Source& source : m_tracer.sources())
-      m_t_mesh.nodes.push_back(T_mesh::Node{
+      m_t_mesh.nodes.push_back(Motorcycle_graph::Node{
         source.vertex, m_mesh.is_border_vertex(source.vertex), m_map.cone[source.vertex],
         std::vector<int>(source.number_of_slots, -1)});
   }
@@ -206,7 +206,7 @@ private:
 
   int add_node(bool is_on_boundary)
   {
-    m_t_mesh.nodes.push_back(T_mesh::Node{-1, is_on_boundary, is_on_boundary ? 2 : 4,
+    m_t_mesh.nodes.push_back(Motorcycle_graph::Node{-1, is_on_boundary, is_on_boundary ? 2 : 4,
                                           std::vector<int>(is_on_boundary ? 3 : 4, -1)});
     return static_cast<int>(m_t_mesh.nodes.size()) - 1;
   }
@@ -322,7 +322,7 @@ private:
     }
     else if(!is_in_triangle(m_map, end.face, end.point))
       return false;
-    m_t_mesh.add_arc(T_mesh::Arc{nodes, slots, {{ray, end}}, std::move(path), length,
+    m_t_mesh.add_arc(Motorcycle_graph::Arc{nodes, slots, {{ray, end}}, std::move(path), length,
                                  is_on_boundary});
     return true;
   }
@@ -397,7 +397,7 @@ private:
   // Checks the invariants of a motorcycle graph.
   const char* check()
   {
-    for(const T_mesh::Node& node : m_t_mesh.nodes)
+    for(const Motorcycle_graph::Node& node : m_t_mesh.nodes)
     {
       const auto empty = std::count(node.slots.begin(), node.slots.end(), -1);
       if(empty > (node.is_critical() || node.is_on_boundary ? 0 : 1))
@@ -424,7 +424,7 @@ private:
 
   const Seamless_map& m_map;
   const Working_mesh& m_mesh;
-  T_mesh& m_t_mesh;
+  Motorcycle_graph& m_t_mesh;
   Motorcycle_tracer m_tracer;
   std::vector<std::vector<Hit> > m_hits;                       // per line
   std::vector<std::vector<Line_node> > m_line_nodes;           // per line
@@ -434,13 +434,13 @@ private:
 };
 
 // Computes the motorcycle graph of a seamless map; returns an empty string or what is wrong.
-inline const char* compute_motorcycle_graph(const Seamless_map& map, T_mesh& t_mesh)
+inline const char* compute_motorcycle_graph(const Seamless_map& map, Motorcycle_graph& graph)
 {
-  return Motorcycle_graph_builder(map, t_mesh).build();
+  return Motorcycle_graph_builder(map, graph).build();
 }
 
 } // namespace internal
 } // namespace Surface_mesh_spline_conversion
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_MAP_MOTORCYCLE_GRAPH_H
+#endif // CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_MAP_BUILD_MOTORCYCLE_GRAPH_H

@@ -6,8 +6,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-#ifndef CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_MAP_T_MESH_H
-#define CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_MAP_T_MESH_H
+#ifndef CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_MAP_MOTORCYCLE_GRAPH_H
+#define CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_MAP_MOTORCYCLE_GRAPH_H
 
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
@@ -25,7 +25,7 @@ namespace internal {
 // The motorcycle graph of a seamless map: a partition of the surface into rectangles of the
 // parameter plane that meet in T-junctions. Half-arc `2 * a` runs along arc `a`, `2 * a + 1` against
 // it; the rectangle of a half-arc lies on its left.
-struct T_mesh
+struct Motorcycle_graph
 {
   // Slots are the quarter turns at a node, counter clockwise, with the outgoing half-arcs. A node at
   // a vertex inside has as many as the cone has quarter turns; on the boundary there is one more, the
@@ -184,4 +184,4 @@ private:
 } // namespace Surface_mesh_spline_conversion
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_MAP_T_MESH_H
+#endif // CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_MAP_MOTORCYCLE_GRAPH_H
