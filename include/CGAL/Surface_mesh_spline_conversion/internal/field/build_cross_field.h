@@ -27,6 +27,17 @@ namespace internal {
 // The number of right angles is an integer by construction; more than this means broken input.
 constexpr double largest_index_residual = 1e-6;
 
+// Solves for the angles after changes of the period jumps, which the singularities depend on alone.
+inline Error_code adapt_angles(Cross_field& field, const Face_geometry& geometry,
+                               Cross_field_smoother& smoother)
+{
+  const std::vector<int> wanted = field.quarter_turns;
+  if(!smoother.smooth_with_fixed_period_jumps())
+    return Error_code::SINGULAR_SYSTEM;
+  compute_quarter_turns(field, geometry, field.quarter_turns);
+  return wanted == field.quarter_turns ? Error_code::OK : Error_code::DEGENERATE_MESH;
+}
+
 // Field and period jumps on the present mesh. `has_room` tells if all indices found a place.
 inline Error_code try_to_build_cross_field(Cross_field& field, bool& has_room)
 {
@@ -42,11 +53,7 @@ inline Error_code try_to_build_cross_field(Cross_field& field, bool& has_room)
   if(!has_room)
     return Error_code::OK;
 
-  const std::vector<int> wanted = field.quarter_turns;
-  if(!smoother.smooth_with_fixed_period_jumps())
-    return Error_code::SINGULAR_SYSTEM;
-  compute_quarter_turns(field, geometry, field.quarter_turns);
-  return wanted == field.quarter_turns ? Error_code::OK : Error_code::DEGENERATE_MESH;
+  return adapt_angles(field, geometry, smoother);
 }
 
 // Computes the cross field on `field.mesh`, which has no ears, for the quad sizes `field.size`, and
@@ -66,9 +73,19 @@ inline Error_code build_cross_field(Cross_field& field)
   }
   if(!has_room)
     return Error_code::NO_SEAMLESS_MAP;
-  split_edges_between_critical_vertices(field);
-  split_links_of_large_cones(field);
+  refine_at_singularities(field);
   return Error_code::OK;
+}
+
+// Moves the singularities near the given vertices.
+inline Error_code relocate_singularities(Cross_field& field, const std::vector<int>& vertices)
+{
+  const Face_geometry geometry(field.mesh, field.axis);
+  Index_surgery(field, geometry).relocate_near(vertices);
+  Cross_field_smoother smoother(field, geometry);
+  const Error_code code = adapt_angles(field, geometry, smoother);
+  refine_at_singularities(field);
+  return code;
 }
 
 } // namespace internal

@@ -149,6 +149,22 @@ public:
     return success;
   }
 
+  // moves singularities near the given vertices, where a map turned out to be impossible, to vertices
+  // with better triangles
+  void relocate_near(const std::vector<int>& vertices)
+  {
+    const auto is_singular = [this](int x) { return !is_regular_inside(x) && is_inside(x); };
+    for(int v : vertices)
+    {
+      int singularity = v;
+      if(!is_singular(v))
+        singularity = m_paths.search(v, relocation_distance * m_field.size[v], m_geometry,
+                                     is_singular);
+      if(singularity >= 0)
+        relocate(singularity);
+    }
+  }
+
 private:
   // in quad sizes
   static constexpr double relocation_distance = 2.25;
@@ -169,7 +185,9 @@ private:
 
   int surplus(int v) const { return m_field.quarter_turns[v] - m_target[v]; }
 
-  bool is_regular_inside(int v) const { return !m_mesh.is_border_vertex(v) && surplus(v) == 0; }
+  bool is_inside(int v) const { return !m_mesh.is_border_vertex(v); }
+
+  bool is_regular_inside(int v) const { return is_inside(v) && surplus(v) == 0; }
 
   // moves `sign` right angles along the path from `source` to `goal`
   void move(int source, int goal, int sign)
@@ -218,6 +236,39 @@ private:
     return best;
   }
 
+  void relocate(int v)
+  {
+    const double wanted_distance = 0.5;
+    const double size = m_field.size[v];
+    const int sign = surplus(v) > 0 ? 1 : -1;
+    int best = -1;
+    double smallest_penalty = (std::numeric_limits<double>::max)();
+    m_paths.search(v, size, m_geometry, [&](int x)
+    {
+      const double penalty = std::abs(m_paths.distance(x) / size - wanted_distance)
+                             - smallest_angle_around(x);
+      if(is_regular_inside(x) && penalty < smallest_penalty)
+      {
+        smallest_penalty = penalty;
+        best = x;
+      }
+      return false;
+    });
+    if(best >= 0)
+      move(v, best, sign);
+  }
+
+  double smallest_angle_around(int v) const
+  {
+    double smallest = pi;
+    m_mesh.for_each_outgoing(v, [&](int h)
+    {
+      for(int corner = 3 * (h / 3); corner < 3 * (h / 3) + 3; ++corner)
+        smallest = (std::min)(smallest, m_geometry.corner_angle[corner]);
+    });
+    return smallest;
+  }
+
   // near the bisector, at the wanted distance from `v`, away from the boundary and from others
   double relocation_penalty(int v, int x) const
   {
@@ -240,7 +291,7 @@ private:
   {
     m_singularities.clear();
     for(int v = 0; v < m_mesh.number_of_vertices(); ++v)
-      if(!m_mesh.is_border_vertex(v) && surplus(v) != 0)
+      if(is_inside(v) && surplus(v) != 0)
         m_singularities.push_back(v);
   }
 
@@ -250,11 +301,11 @@ private:
     for(double radius : {0.25, 0.5, 0.75, 1., 1.5, 2.})
       for(int v = 0; v < m_mesh.number_of_vertices(); ++v)
       {
-        if(m_mesh.is_border_vertex(v) || surplus(v) == 0)
+        if(!is_inside(v) || surplus(v) == 0)
           continue;
         const int sign = surplus(v) > 0 ? 1 : -1;
         const int goal = m_paths.search(v, radius * m_field.size[v], m_geometry, [&](int x)
-          { return !m_mesh.is_border_vertex(x) && surplus(x) * sign < 0; });
+          { return is_inside(x) && surplus(x) * sign < 0; });
         if(goal >= 0)
           move(v, goal, sign);
       }

@@ -93,6 +93,26 @@ inline void split_links_of_large_cones(Cross_field& field)
   }
 }
 
+inline void refine_at_singularities(Cross_field& field)
+{
+  split_edges_between_critical_vertices(field);
+  split_links_of_large_cones(field);
+}
+
+// Splits the edges of the faces around some vertices.
+inline void refine_around(Cross_field& field, const std::vector<int>& vertices)
+{
+  std::vector<std::pair<int, int> > edges;
+  std::vector<char> is_near(field.mesh.number_of_faces(), 0);
+  for(int v : vertices)
+    field.mesh.for_each_outgoing(v, [&](int h) { is_near[h / 3] = 1; });
+  for(int h = 0; h < field.mesh.number_of_halfedges(); ++h)
+    if(field.mesh.opposite[h] > h && (is_near[h / 3] || is_near[field.mesh.opposite[h] / 3]))
+      edges.emplace_back(field.mesh.source(h), field.mesh.target(h));
+  for(const std::pair<int, int>& e : edges)
+    split_edge(field, field.mesh.find_halfedge(e.first, e.second));
+}
+
 } // namespace internal
 } // namespace Surface_mesh_spline_conversion
 } // namespace CGAL

@@ -36,14 +36,15 @@ public:
     : m_field(field), m_mesh(field.mesh), m_geometry(geometry),
       m_alignment(align_with_curvature(field, geometry)), m_is_fixed(m_mesh.number_of_faces(), 0)
   {
-    fix_boundary_faces();
-    fix_closed_components();
+    mark_boundary_faces();
+    mark_faces_of_closed_components();
     number_unknowns();
   }
 
   // solves for the directions; returns `false` if a linear system could not be solved
   bool smooth()
   {
+    fix_angles();
     if(m_number_of_unknowns == 0)
       return true;
     initialize_values();
@@ -77,7 +78,7 @@ public:
     }
   }
 
-  // solves for the smoothest angles with the given period jumps
+  // solves for the smoothest angles with the given period jumps and angles of the fixed faces
   bool smooth_with_fixed_period_jumps()
   {
     if(m_number_of_unknowns == 0)
@@ -113,20 +114,15 @@ private:
   // weight of the alignment with curvature against smoothness, over the area of one quad
   static constexpr double alignment_strength = 1;
 
-  // there is only one boundary halfedge in a face, because ears have been split
-  void fix_boundary_faces()
+  void mark_boundary_faces()
   {
-    m_field.angle.assign(m_mesh.number_of_faces(), 0.);
     for(int h = 0; h < m_mesh.number_of_halfedges(); ++h)
       if(m_mesh.is_border(h))
-      {
         m_is_fixed[h / 3] = 1;
-        m_field.angle[h / 3] = m_geometry.halfedge_angle[h];
-      }
   }
 
   // without boundary the rotation is free: fix the face that knows best
-  void fix_closed_components()
+  void mark_faces_of_closed_components()
   {
     const std::vector<int> component = face_components(m_mesh);
     std::vector<int> best;
@@ -141,11 +137,19 @@ private:
         b = f;
     }
     for(int f : best)
-      if(!m_is_fixed[f])
-      {
-        m_is_fixed[f] = 1;
+      m_is_fixed[f] = 1;
+  }
+
+  // there is only one boundary halfedge in a face, because ears have been split
+  void fix_angles()
+  {
+    m_field.angle.assign(m_mesh.number_of_faces(), 0.);
+    for(int f = 0; f < m_mesh.number_of_faces(); ++f)
+      if(m_is_fixed[f])
         m_field.angle[f] = std::arg(m_alignment.cross[f]) / 4;
-      }
+    for(int h = 0; h < m_mesh.number_of_halfedges(); ++h)
+      if(m_mesh.is_border(h))
+        m_field.angle[h / 3] = m_geometry.halfedge_angle[h];
   }
 
   void number_unknowns()

@@ -13,11 +13,12 @@
 
 #include <CGAL/Surface_mesh_spline_conversion/Cross_field.h>
 #include <CGAL/Surface_mesh_spline_conversion/Error_code.h>
-#include <CGAL/Surface_mesh_spline_conversion/internal/field/refine_cross_field.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/field/build_cross_field.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/map/minimize_distortion.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/map/reference_shapes.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/map/round_to_fixed_point.h>
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -169,38 +170,45 @@ private:
   Map_iterate m_iterate;
 };
 
-// Splits the edges of the faces around some vertices.
-inline void refine_around(Cross_field& field, const std::vector<int>& vertices)
+constexpr int number_of_rungs = 6;
+constexpr int rung_of_refinement = 4;
+
+// A rung of the ladder of repairs, for a field that gave no valid map near some vertices. Moving the
+// singularities to better triangles helps most.
+inline Error_code repair(int rung, const std::vector<int>& vertices, Cross_field& field)
 {
-  std::vector<std::pair<int, int> > edges;
-  std::vector<char> is_near(field.mesh.number_of_faces(), 0);
-  for(int v : vertices)
-    field.mesh.for_each_outgoing(v, [&](int h) { is_near[h / 3] = 1; });
-  for(int h = 0; h < field.mesh.number_of_halfedges(); ++h)
-    if(field.mesh.opposite[h] > h && (is_near[h / 3] || is_near[field.mesh.opposite[h] / 3]))
-      edges.emplace_back(field.mesh.source(h), field.mesh.target(h));
-  for(const std::pair<int, int>& e : edges)
-    split_edge(field, field.mesh.find_halfedge(e.first, e.second));
+  if(rung == rung_of_refinement)
+  {
+    refine_around(field, vertices);
+    return Error_code::OK;
+  }
+  // a size that changes may ask for more than the singularities allow
+  if(rung == number_of_rungs)
+    field.size.assign(field.size.size(), *std::min_element(field.size.begin(), field.size.end()));
+  return relocate_singularities(field, vertices);
 }
 
-// Computes a seamless map that follows `input`. Where this fails, the mesh gets refined.
+// Computes a seamless map that follows `input`. Where this fails, singularities are moved and the mesh
+// is refined.
 inline Error_code compute_seamless_map(const Cross_field& input, Seamless_map& map,
                                        Map_statistics& statistics)
 {
-  const int most_repairs = 3;
   Cross_field field = input;
-  for(int repairs = 0; repairs <= most_repairs; ++repairs)
+  for(int rung = 0;; ++rung)
   {
     const std::pair<bool, std::vector<int> > result
       = Seamless_map_solver(field).solve(map, statistics);
     if(!result.first)
       return Error_code::SINGULAR_SYSTEM;
-    map.repairs = repairs;
+    map.repairs = rung;
     if(result.second.empty())
       return Error_code::OK;
-    refine_around(field, result.second);
+    if(rung == number_of_rungs)
+      return Error_code::NO_SEAMLESS_MAP;
+    const Error_code code = repair(rung + 1, result.second, field);
+    if(code != Error_code::OK)
+      return code;
   }
-  return Error_code::NO_SEAMLESS_MAP;
 }
 
 inline Error_code compute_seamless_map(const Cross_field& field, Seamless_map& map)

@@ -179,7 +179,8 @@ inline Map_defects untangle(const Working_mesh& mesh, const std::vector<int>& co
   std::size_t fewest = defects.vertices.size();
   for(int i = 0, since_progress = 0; i < most_iterations && since_progress < patience; ++i)
   {
-    if(defects.none())
+    // wrong cones alone cannot be cured: they are full turns off
+    if(defects.inverted_faces == 0)
       break;
     const Newton_step step
       = take_newton_step(system, map, Distortion_energy(schedule.epsilon()));
