@@ -5,34 +5,34 @@
 #include "voxel_seamless_maps.h"
 
 #include <CGAL/Surface_mesh_spline_conversion/internal/map/integer_constraints.h>
-#include <CGAL/Surface_mesh_spline_conversion/internal/map/motorcycle_graph.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/map/build_motorcycle_graph.h>
 
 #include <iostream>
 
 namespace SC = CGAL::Surface_mesh_spline_conversion;
 using namespace Test;
-using SC::internal::T_mesh;
+using SC::internal::Motorcycle_graph;
 
 namespace {
 
 // the rectangles have the area of the triangles
-void check_area(const Seamless_map& map, const T_mesh& t_mesh)
+void check_area(const Seamless_map& map, const Motorcycle_graph& graph)
 {
   SC::internal::Wide_integer twice_triangles = 0, rectangles = 0;
   for(int f = 0; f < map.mesh.number_of_faces(); ++f)
     twice_triangles += determinant(minus(map.coordinates[3 * f + 1], map.coordinates[3 * f]),
                                    minus(map.coordinates[3 * f + 2], map.coordinates[3 * f]));
-  for(int r = 0; r < static_cast<int>(t_mesh.rectangles.size()); ++r)
-    rectangles += static_cast<SC::internal::Wide_integer>(t_mesh.side_length(r, 0))
-                  * t_mesh.side_length(r, 1);
+  for(int r = 0; r < static_cast<int>(graph.rectangles.size()); ++r)
+    rectangles += static_cast<SC::internal::Wide_integer>(graph.side_length(r, 0))
+                  * graph.side_length(r, 1);
   assert(twice_triangles == 2 * rectangles);
 }
 
 // every irregular vertex is a node with one arc per quarter turn
-void check_sources(const Seamless_map& map, const T_mesh& t_mesh)
+void check_sources(const Seamless_map& map, const Motorcycle_graph& graph)
 {
-  std::map<int, const T_mesh::Node*> node_at;
-  for(const T_mesh::Node& node : t_mesh.nodes)
+  std::map<int, const Motorcycle_graph::Node*> node_at;
+  for(const Motorcycle_graph::Node& node : graph.nodes)
     if(node.vertex >= 0)
     {
       const bool is_new = node_at.emplace(node.vertex, &node).second;
@@ -52,10 +52,10 @@ void check_sources(const Seamless_map& map, const T_mesh& t_mesh)
 }
 
 // the boundary arcs are as long as the boundary, and every loop has a source
-void check_boundary(const Seamless_map& map, const T_mesh& t_mesh)
+void check_boundary(const Seamless_map& map, const Motorcycle_graph& graph)
 {
   std::int64_t arcs = 0, edges = 0;
-  for(const T_mesh::Arc& arc : t_mesh.arcs)
+  for(const Motorcycle_graph::Arc& arc : graph.arcs)
     arcs += arc.is_on_boundary ? arc.length : 0;
   for(int h = 0; h < map.mesh.number_of_halfedges(); ++h)
     if(map.mesh.is_border(h))
@@ -94,12 +94,12 @@ int number_of_components_with_boundary(const Seamless_map& map)
 
 // With the real lengths as "integer" lengths, the differences of the constraints are those that one
 // finds by carrying coordinates back along the path.
-void check_constraints(const Seamless_map& map, const T_mesh& t_mesh)
+void check_constraints(const Seamless_map& map, const Motorcycle_graph& graph)
 {
   std::vector<int> lengths;
-  for(const T_mesh::Arc& arc : t_mesh.arcs)
+  for(const Motorcycle_graph::Arc& arc : graph.arcs)
     lengths.push_back(static_cast<int>(arc.length));
-  const auto constraints = SC::internal::integer_constraints(map, t_mesh, lengths);
+  const auto constraints = SC::internal::integer_constraints(map, graph, lengths);
   std::set<int> vertices;
   for(const auto& constraint : constraints)
   {
@@ -119,7 +119,7 @@ void check_constraints(const Seamless_map& map, const T_mesh& t_mesh)
     vertices.insert(map.mesh.source(constraint.to_corner));
   }
   std::size_t number_of_critical = 0;
-  for(const T_mesh::Node& node : t_mesh.nodes)
+  for(const Motorcycle_graph::Node& node : graph.nodes)
     number_of_critical += node.is_critical() ? 1 : 0;
   // one vertex of a component without closed ways may need no equation
   assert(constraints.empty() || vertices.size() == number_of_critical);
@@ -127,21 +127,21 @@ void check_constraints(const Seamless_map& map, const T_mesh& t_mesh)
   const SC::internal::Cut_graph cut(map.mesh, map.rotation, map.cone);
   const int number_of_components = static_cast<int>(cut.roots().size());
   assert(static_cast<int>(constraints.size()) - static_cast<int>(number_of_critical)
-         == number_of_components - t_mesh.euler_characteristic()
+         == number_of_components - graph.euler_characteristic()
             - number_of_components_with_boundary(map));
 }
 
 void check(const Seamless_map& map)
 {
-  T_mesh t_mesh;
-  const std::string failure = SC::internal::compute_motorcycle_graph(map, t_mesh);
+  Motorcycle_graph graph;
+  const std::string failure = SC::internal::compute_motorcycle_graph(map, graph);
   if(!failure.empty())
     std::cerr << failure << std::endl;
   assert(failure.empty());
-  check_area(map, t_mesh);
-  check_sources(map, t_mesh);
-  check_boundary(map, t_mesh);
-  check_constraints(map, t_mesh);
+  check_area(map, graph);
+  check_sources(map, graph);
+  check_boundary(map, graph);
+  check_constraints(map, graph);
 }
 
 void test_voxels(int number_of_seeds)
@@ -187,11 +187,11 @@ void test_wrong_maps()
   const bool is_manifold = make_voxel_map(random_voxels(1, random), options, random, map);
   assert(is_manifold);
   (void)is_manifold;
-  T_mesh t_mesh;
+  Motorcycle_graph graph;
   Seamless_map wrong = map;
   for(int& cone : wrong.cone)
     cone = cone == 3 ? 5 : cone;
-  assert(*SC::internal::compute_motorcycle_graph(wrong, t_mesh) != 0);
+  assert(*SC::internal::compute_motorcycle_graph(wrong, graph) != 0);
 }
 
 } // namespace

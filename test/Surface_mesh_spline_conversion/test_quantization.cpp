@@ -5,7 +5,7 @@
 #include "voxel_seamless_maps.h"
 
 #include <CGAL/Surface_mesh_spline_conversion/internal/map/Quantization.h>
-#include <CGAL/Surface_mesh_spline_conversion/internal/map/motorcycle_graph.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/map/build_motorcycle_graph.h>
 
 #include <iostream>
 
@@ -13,11 +13,11 @@ namespace SC = CGAL::Surface_mesh_spline_conversion;
 using namespace Test;
 using SC::internal::Quantization;
 using SC::internal::Quantization_oracle;
-using SC::internal::T_mesh;
+using SC::internal::Motorcycle_graph;
 
 namespace {
 
-void check_lengths(const T_mesh& t_mesh, const std::vector<int>& lengths, int smallest)
+void check_lengths(const Motorcycle_graph& graph, const std::vector<int>& lengths, int smallest)
 {
   auto size = [&](const std::vector<int>& side)
   {
@@ -26,28 +26,28 @@ void check_lengths(const T_mesh& t_mesh, const std::vector<int>& lengths, int sm
       sum += lengths[h / 2];
     return sum;
   };
-  for(const T_mesh::Rectangle& rectangle : t_mesh.rectangles)
+  for(const Motorcycle_graph::Rectangle& rectangle : graph.rectangles)
     for(int side = 0; side < 2; ++side)
       assert(size(rectangle.sides[side]) == size(rectangle.sides[side + 2]));
   for(int n : lengths)
     assert(n >= smallest);
   std::set<int> seen;
-  for(int first = 0; first < static_cast<int>(t_mesh.arcs.size()); ++first)
+  for(int first = 0; first < static_cast<int>(graph.arcs.size()); ++first)
   {
     int sides = 0;
-    if(!t_mesh.arcs[first].is_on_boundary || seen.count(first))
+    if(!graph.arcs[first].is_on_boundary || seen.count(first))
       continue;
     for(int a = first; seen.insert(a).second;
-        a = t_mesh.nodes[t_mesh.arcs[a].node[1]].slots.front() / 2)
+        a = graph.nodes[graph.arcs[a].node[1]].slots.front() / 2)
       sides += lengths[a];
     assert(sides >= 4);
   }
 }
 
-int number_of_quads(const T_mesh& t_mesh, const std::vector<int>& lengths)
+int number_of_quads(const Motorcycle_graph& graph, const std::vector<int>& lengths)
 {
   int quads = 0;
-  for(const T_mesh::Rectangle& rectangle : t_mesh.rectangles)
+  for(const Motorcycle_graph::Rectangle& rectangle : graph.rectangles)
   {
     int w = 0, h = 0;
     for(int a : rectangle.sides[0])
@@ -71,16 +71,16 @@ bool shrink(SC::internal::Length_network& network, int arc)
 }
 
 // An arc between two singularities must not vanish; returns the number of arcs tried.
-int test_merging(const T_mesh& t_mesh, const std::vector<int>& lengths)
+int test_merging(const Motorcycle_graph& graph, const std::vector<int>& lengths)
 {
-  Quantization_oracle oracle(t_mesh);
+  Quantization_oracle oracle(graph);
   int tried = 0;
-  for(int a = 0; a < static_cast<int>(t_mesh.arcs.size()); ++a)
+  for(int a = 0; a < static_cast<int>(graph.arcs.size()); ++a)
   {
-    const T_mesh::Arc& arc = t_mesh.arcs[a];
-    if(!t_mesh.nodes[arc.node[0]].is_critical() || !t_mesh.nodes[arc.node[1]].is_critical())
+    const Motorcycle_graph::Arc& arc = graph.arcs[a];
+    if(!graph.nodes[arc.node[0]].is_critical() || !graph.nodes[arc.node[1]].is_critical())
       continue;
-    SC::internal::Length_network network(t_mesh, Quantization::real_lengths(t_mesh, 20));
+    SC::internal::Length_network network(graph, Quantization::real_lengths(graph, 20));
     network.set_lengths(lengths);
     if(!shrink(network, a))
       continue;
@@ -107,21 +107,21 @@ void test_voxels()
     if(!make_voxel_map(random_voxels(1 + seed % 13, random), options, random, map))
       continue;
     ++number_of_maps;
-    T_mesh t_mesh;
-    const char* failure = SC::internal::compute_motorcycle_graph(map, t_mesh);
+    Motorcycle_graph graph;
+    const char* failure = SC::internal::compute_motorcycle_graph(map, graph);
     assert(*failure == 0);
     (void)failure;
-    Quantization quantization(t_mesh, map.fractional_bits);
+    Quantization quantization(graph, map.fractional_bits);
     const bool is_quantized = quantization.quantize_all_positive();
     assert(is_quantized);
     (void)is_quantized;
-    check_lengths(t_mesh, quantization.lengths(), 1);
-    const int quads = number_of_quads(t_mesh, quantization.lengths());
-    merged += test_merging(t_mesh, quantization.lengths());
+    check_lengths(graph, quantization.lengths(), 1);
+    const int quads = number_of_quads(graph, quantization.lengths());
+    merged += test_merging(graph, quantization.lengths());
     quantization.allow_zeros();
-    check_lengths(t_mesh, quantization.lengths(), 0);
-    fewer += number_of_quads(t_mesh, quantization.lengths()) < quads;
-    assert(Quantization_oracle(t_mesh)(quantization.lengths()));
+    check_lengths(graph, quantization.lengths(), 0);
+    fewer += number_of_quads(graph, quantization.lengths()) < quads;
+    assert(Quantization_oracle(graph)(quantization.lengths()));
   }
   std::cout << number_of_maps << " voxel maps, " << merged << " merged singularities rejected, "
             << fewer << " layouts with fewer quads by zeros" << std::endl;
@@ -132,22 +132,22 @@ void test_voxels()
 void test_collapsing_loops()
 {
   const Seamless_map map = make_flat_map(12, 5, 1 << 14, 0, false, 14);
-  T_mesh t_mesh;
-  const char* failure = SC::internal::compute_motorcycle_graph(map, t_mesh);
+  Motorcycle_graph graph;
+  const char* failure = SC::internal::compute_motorcycle_graph(map, graph);
   assert(*failure == 0);
   (void)failure;
-  Quantization quantization(t_mesh, map.fractional_bits);
+  Quantization quantization(graph, map.fractional_bits);
   const bool is_quantized = quantization.quantize_all_positive();
   assert(is_quantized);
   (void)is_quantized;
   quantization.allow_zeros();
-  assert(number_of_quads(t_mesh, quantization.lengths()) == 60);
-  Quantization_oracle oracle(t_mesh);
+  assert(number_of_quads(graph, quantization.lengths()) == 60);
+  Quantization_oracle oracle(graph);
   for(bool is_girth : {false, true})
   {
     std::vector<int> lengths = quantization.lengths();
     for(std::size_t a = 0; a < lengths.size(); ++a)
-      if(t_mesh.arcs[a].is_on_boundary == is_girth)
+      if(graph.arcs[a].is_on_boundary == is_girth)
         lengths[a] = 0;
     assert(!oracle(lengths));
   }
@@ -162,11 +162,11 @@ void test_double_cover()
   std::mt19937 random(3);
   Voxel_surface_options options;
   Seamless_map map;
-  T_mesh t_mesh;
+  Motorcycle_graph graph;
   const bool is_manifold = make_voxel_map(random_voxels(1, random), options, random, map);
-  assert(is_manifold && *SC::internal::compute_motorcycle_graph(map, t_mesh) == 0);
+  assert(is_manifold && *SC::internal::compute_motorcycle_graph(map, graph) == 0);
   (void)is_manifold;
-  const SC::internal::Length_network network(t_mesh, Quantization::real_lengths(t_mesh, 20));
+  const SC::internal::Length_network network(graph, Quantization::real_lengths(graph, 20));
   SC::internal::Length_network cover = network.double_cover();
   std::vector<int> start;
   for(int a = 0; a < cover.number_of_arcs(); ++a)
@@ -179,7 +179,7 @@ void test_double_cover()
   std::vector<int> sums;
   for(int a = 0; a < network.number_of_arcs(); ++a)
     sums.push_back(cover.length(2 * a) + cover.length(2 * a + 1));
-  check_lengths(t_mesh, sums, 2);
+  check_lengths(graph, sums, 2);
 }
 
 } // namespace

@@ -84,7 +84,7 @@ private:
   std::vector<std::vector<int> > half_arcs_of_faces() const
   {
     std::vector<std::vector<int> > faces;
-    for(const T_mesh::Rectangle& rectangle : m_t_mesh.rectangles)
+    for(const Motorcycle_graph::Rectangle& rectangle : m_t_mesh.rectangles)
     {
       faces.emplace_back();
       for(const std::vector<int>& side : rectangle.sides)
