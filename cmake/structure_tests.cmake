@@ -11,27 +11,35 @@ add_test(NAME structure_header_names
   COMMAND ${CMAKE_COMMAND} -DROOT=${SMSC_ROOT_DIR} -DCGAL_HEADERS=${SMSC_CGAL_HEADERS}/CGAL
           -P ${CMAKE_CURRENT_LIST_DIR}/check_header_names.cmake)
 
+# adds a test for each compiler: `content` compiles without a warning
+function(smsc_add_compilation_test name content)
+  set(source ${CMAKE_CURRENT_BINARY_DIR}/headers/${name}.cpp)
+  file(GENERATE OUTPUT ${source} CONTENT "${content}")
+  set(eigen $<TARGET_PROPERTY:CGAL::Eigen3_support,INTERFACE_INCLUDE_DIRECTORIES>)
+  foreach(compiler ${SMSC_COMPILERS})
+    get_filename_component(compiler_name ${compiler} NAME)
+    set(test header_${name}_${compiler_name})
+    add_test(NAME ${test}
+      COMMAND ${compiler} -std=c++17 -fsyntax-only -Wall -Wextra -Werror
+              -I ${SMSC_ROOT_DIR}/include "-isystem;$<JOIN:${eigen},;-isystem;>" ${source}
+      COMMAND_EXPAND_LISTS)
+    set_tests_properties(${test} PROPERTIES LABELS headers TIMEOUT 600)
+  endforeach()
+endfunction()
+
 if(SMSC_TEST_HEADERS AND NOT MSVC)
-  set(compilers ${CMAKE_CXX_COMPILER})
+  set(SMSC_COMPILERS ${CMAKE_CXX_COMPILER})
   find_program(SMSC_CLANG NAMES clang++-14 clang++)
   if(SMSC_CLANG AND NOT CMAKE_CXX_COMPILER_ID MATCHES "Clang")
-    list(APPEND compilers ${SMSC_CLANG})
+    list(APPEND SMSC_COMPILERS ${SMSC_CLANG})
   endif()
+  set(all "")
   foreach(header ${SMSC_HEADERS})
     string(REGEX REPLACE "^CGAL/(Surface_mesh_spline_conversion/)?" "" name ${header})
     string(REGEX REPLACE "[/.]" "_" name ${name})
-    set(source ${CMAKE_CURRENT_BINARY_DIR}/headers/${name}.cpp)
-    file(GENERATE OUTPUT ${source} CONTENT "#include <${header}>\n#include <${header}>\n")
-    foreach(compiler ${compilers})
-      get_filename_component(compiler_name ${compiler} NAME)
-      set(test header_${name}_${compiler_name})
-      add_test(NAME ${test}
-        COMMAND ${compiler} -std=c++17 -fsyntax-only -Wall -Wextra -Werror
-                -I ${SMSC_ROOT_DIR}/include
-                "-isystem;$<JOIN:$<TARGET_PROPERTY:CGAL::Eigen3_support,INTERFACE_INCLUDE_DIRECTORIES>,;-isystem;>"
-                ${source}
-        COMMAND_EXPAND_LISTS)
-      set_tests_properties(${test} PROPERTIES LABELS headers TIMEOUT 300)
-    endforeach()
+    smsc_add_compilation_test(${name} "#include <${header}>\n#include <${header}>\n")
+    string(APPEND all "#include <${header}>\n")
   endforeach()
+  # internal names of different stages must not clash
+  smsc_add_compilation_test(together "${all}")
 endif()

@@ -1,5 +1,5 @@
-// A half disc bounded by a line and an arc: associates the boundary edges with the curves, and prints
-// what the network makes of it.
+// A half disc bounded by a line and an arc: associates the boundary edges with the curves, and
+// prints what the network makes of it.
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -30,15 +30,16 @@ int main()
   const std::size_t n = 12;
   const Mesh::Vertex_index center = mesh.add_vertex(origin);
   std::vector<Mesh::Vertex_index> rim;
+  const double step = CGAL_PI / n;
   for(std::size_t i = 0; i <= n; ++i)
-    rim.push_back(mesh.add_vertex(arc.point(i * CGAL_PI / n)));
+    rim.push_back(mesh.add_vertex(arc.point(i * step)));
   for(std::size_t i = 0; i < n; ++i)
     mesh.add_face(center, rim[i], rim[i + 1]);
 
   // the key is the halfedge whose face lies in the mesh, the parameters are those at its ends
   auto curves = mesh.add_property_map<Mesh::Halfedge_index, Segment>("h:curve").first;
   for(std::size_t i = 0; i < n; ++i)
-    curves[mesh.halfedge(rim[i], rim[i + 1])] = Segment{arc, i * CGAL_PI / n, (i + 1) * CGAL_PI / n};
+    curves[mesh.halfedge(rim[i], rim[i + 1])] = Segment{arc, i * step, (i + 1) * step};
   curves[mesh.halfedge(rim[n], center)] = Segment{line, 0, 0.5};
   curves[mesh.halfedge(center, rim[0])] = Segment{line, 0.5, 1};
 

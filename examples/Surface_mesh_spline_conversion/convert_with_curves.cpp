@@ -50,7 +50,10 @@ int main()
   const Traits::Curve_3 circle(
     [](double t) { return K::Point_3(std::cos(t), std::sin(t), 0); },
     [](double t, int order) // each derivative turns by a quarter
-    { return K::Vector_3(std::cos(t + order * CGAL_PI / 2), std::sin(t + order * CGAL_PI / 2), 0); });
+    {
+      const double turned = t + order * CGAL_PI / 2;
+      return K::Vector_3(std::cos(turned), std::sin(turned), 0);
+    });
 
   auto curves = mesh.add_property_map<Mesh::Halfedge_index, Segment>("h:curve").first;
   for(const Mesh::Halfedge_index h : mesh.halfedges())

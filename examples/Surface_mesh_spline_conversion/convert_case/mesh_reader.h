@@ -67,7 +67,7 @@ inline std::string check_edges(const Polygons& triangles)
       if(!inserted.second)
         return "the faces " + std::to_string(inserted.first->second) + " and " + std::to_string(f)
              + " both have an edge from vertex " + std::to_string(source) + " to vertex "
-             + std::to_string(target) + ": it is not manifold, or the faces are oriented differently";
+             + std::to_string(target) + ": it is not manifold, or the orientations differ";
     }
   return std::string();
 }

@@ -58,7 +58,8 @@ inline std::string prepare_output(const Options& options)
   for(const fs::path& folder : folders)
   {
     std::error_code error;
-    if(!folder.empty() && !fs::is_directory(folder, error) && !fs::create_directories(folder, error))
+    if(!folder.empty() && !fs::is_directory(folder, error)
+       && !fs::create_directories(folder, error))
       return "the folder " + folder.string() + " cannot be created";
   }
   return std::string();
@@ -83,7 +84,8 @@ inline bool write_history(const Options& options, const Report& report)
 {
   if(options.history.empty())
     return true;
-  const std::string chart = std::filesystem::path(options.history).replace_extension(".svg").string();
+  const std::string chart
+    = std::filesystem::path(options.history).replace_extension(".svg").string();
   const bool is_table_written
     = check(CGAL::IO::write_history_CSV(options.history, report), options.history);
   return check(CGAL::IO::write_history_SVG(chart, report), chart) && is_table_written;
@@ -124,7 +126,9 @@ bool write_faces(const Options& options, const std::vector<CGAL::T_NURCC_surface
   for(const CGAL::T_NURCC_surface_3<K>& surface : surfaces)
   {
     SC::NURBS_shell_3<K> part;
-    SC::extract_NURBS_faces(surface, part);
+    SC::extract_NURBS_faces(surface, part,
+                            CGAL::parameters::interior_tolerance(report.interior_tolerance)
+                              .do_merge_patches(options.do_merge));
     append(part, shell);
   }
   report.counts.nurbs_faces = shell.number_of_faces();

@@ -123,7 +123,7 @@ numbers that were not measured are written as `null`. The members are
   `warnings`: an array of strings
 - `input`, `xi`, `delta`, `quad_size`, `boundary`, `interior`, `counts`, `smoothness`, `map`,
   `iterations`, `stages`, `peak_memory_bytes`: the members of
-  `Surface_mesh_spline_conversion::Conversion_report`, where `xi` and `delta` are the two tolerances.
+  `Surface_mesh_spline_conversion::Conversion_report`; `xi` and `delta` are the two tolerances
 
 \returns `true` if the stream is good after writing
 */
