@@ -1,6 +1,6 @@
 // The stages from curves to the quad layout on real cases: the layout has the corners, chains and
-// singularities that network and field prescribe, at sizes from the default to very coarse, and does
-// not depend on the run.
+// singularities that network and field prescribe, at sizes from the default to very coarse, and
+// does not depend on the run.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Simple_cartesian.h>
@@ -90,7 +90,8 @@ void test_case(const std::string& name, const std::vector<double>& relative_size
     is_closed.push_back(network.is_closed(c));
   }
   const double diameter = CGAL::to_double(network.diameter());
-  const int chi = static_cast<int>(num_vertices(input.mesh)) - static_cast<int>(num_edges(input.mesh))
+  const int chi = static_cast<int>(num_vertices(input.mesh))
+                  - static_cast<int>(num_edges(input.mesh))
                   + static_cast<int>(num_faces(input.mesh));
 
   for(double size : relative_sizes)

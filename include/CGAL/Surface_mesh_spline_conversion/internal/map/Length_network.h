@@ -124,8 +124,8 @@ public:
     return true;
   }
 
-  // Changes the length of an arc by one and balances the equations again. The change is pending until
-  // `commit()` or `revert()`; on `false` it is reverted.
+  // Changes the length of an arc by one and balances the equations again. The change is pending
+  // until `commit()` or `revert()`; on `false` it is reverted.
   bool change(int arc, int change)
   {
     if(m_lengths[arc] + change < m_lower_bounds[arc])

@@ -46,9 +46,9 @@ public:
     return m_oracle(m_network.lengths());
   }
 
-  // Lowers lengths, down to zero where the oracle finds that the layout stays valid: rounding up all
-  // short arcs to one would refine the layout without need.
-  // \pre `quantize_all_positive()` has succeeded
+  // Lowers lengths, down to zero where the oracle finds that the layout stays valid: rounding up
+  // all short arcs to one would refine the layout without need. \pre `quantize_all_positive()` has
+  // succeeded
   void allow_zeros()
   {
     descend_to_zeros();
