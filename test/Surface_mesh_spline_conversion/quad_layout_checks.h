@@ -210,8 +210,8 @@ public:
     return double(used) / all;
   }
 
-  // Area of the layout by flat cells of a grid, relative to that of the mesh. Where the mesh is flat
-  // a homeomorphism reaches 1; a map that covers a place twice exceeds it.
+  // Area of the layout by flat cells of a grid, relative to that of the mesh. Where the mesh is
+  // flat a homeomorphism reaches 1; a map that covers a place twice exceeds it.
   double relative_area(int n) const
   {
     double layout_area = 0, mesh_area = 0;
@@ -225,7 +225,8 @@ public:
         for(int i = 0; i < n; ++i)
         {
           const int k = j * (n + 1) + i;
-          layout_area += area(p[k], p[k + 1], p[k + n + 2]) + area(p[k], p[k + n + 2], p[k + n + 1]);
+          layout_area += area(p[k], p[k + 1], p[k + n + 2])
+                         + area(p[k], p[k + n + 2], p[k + n + 1]);
         }
     }
     for(const auto& f : m_faces)

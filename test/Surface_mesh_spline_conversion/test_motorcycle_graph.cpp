@@ -1,6 +1,6 @@
-// The motorcycle graph of generated seamless maps: rectangles that fill the surface, sources at all
-// singularities and corners, boundary lengths, and paths along arcs, each compared with what the map
-// itself says.
+// The motorcycle graph of generated seamless maps: rectangles that fill the surface, sources at
+// all singularities and corners, boundary lengths, and paths along arcs, each compared with what
+// the map itself says.
 
 #include "voxel_seamless_maps.h"
 

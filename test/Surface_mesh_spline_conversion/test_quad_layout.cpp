@@ -1,5 +1,5 @@
-// Quad layouts of generated seamless maps, both by solving the map again and by composing rectangles:
-// the invariants of a quad layout are checked from outside.
+// Quad layouts of generated seamless maps, both by solving the map again and by composing
+// rectangles: the invariants of a quad layout are checked from outside.
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

@@ -250,8 +250,8 @@ inline bool make_voxel_map(const std::set<Lattice_point>& voxels,
   return true;
 }
 
-// A map of a parallelogram, `columns` x `rows` squares whose rows are shifted by `shear` units, with
-// its left and right side glued and, if `is_torus`, also bottom and top: no vertex is singular.
+// A map of a parallelogram, `columns` x `rows` squares whose rows are shifted by `shear` units,
+// with its left and right side glued and, if `is_torus`, also bottom and top: nothing is singular.
 // The points lie on a torus or a cylinder.
 inline Seamless_map make_flat_map(int columns, int rows, std::int64_t edge, std::int64_t shear,
                                   bool is_torus, int fractional_bits)

@@ -30,11 +30,11 @@ The map is exact: its coordinates are integers that count a small fraction of a 
 triangles never overlap their neighbours, boundary edges are parallel to an axis, and across every
 edge the map continues up to a turn by right angles and a translation.
 
-A map whose quads can be found comes in two forms. Preferably (`is_resolved`), the map has been solved
-again such that singularities, corners and translations are integers: the quads are the unit cells of
-the map, and inside a quad the map is as smooth as possible. Where this fails, the map stays as it
-is, and the quads are found by dividing each rectangle of its motorcycle graph into a grid, which
-cannot fail: the quads then have kinks where the rectangles meet.
+A map whose quads can be found comes in two forms. Preferably (`is_resolved`), the map has been
+solved again such that singularities, corners and translations are integers: the quads are the unit
+cells of the map, and the map is as smooth as possible. Where this fails, the map stays as it is,
+and the quads are found by dividing each rectangle of its motorcycle graph into a grid, which needs
+no solver: the quads then have kinks where the rectangles meet.
 
 \sa `extract_quad_layout()`
 */

@@ -29,8 +29,8 @@ computes an integer grid map that follows a cross field.
 First, a seamless map is computed, which is locally injective and exact. Its motorcycle graph, the
 isolines through singularities and corners up to where they meet each other, divides the mesh into
 rectangles. The sides of these get integer lengths near the real ones, such that no singularities,
-corners or boundary loops fall together and every boundary loop has at least four sides. Last, the map
-is solved again with these lengths.
+corners or boundary loops fall together and every boundary loop has at least four sides. Last, the
+map is solved again with these lengths.
 
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 

@@ -87,7 +87,8 @@ Quad_layout<GeomTraits> make_layout(const Quad_grid& grid, const Working_mesh& m
   return layout;
 }
 
-// Sets the points of the vertices: those at vertices of the mesh exactly, others by the inverse map.
+// Sets the points of the vertices: those at vertices of the mesh exactly, others by the inverse
+// map.
 template <typename GeomTraits>
 void set_points(const Quad_grid& grid, const Working_mesh& mesh, Quad_layout<GeomTraits>& layout)
 {

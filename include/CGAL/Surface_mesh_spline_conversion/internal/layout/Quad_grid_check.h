@@ -88,7 +88,9 @@ private:
     for(int v = 0; v < m_mesh.number_of_vertices(); ++v)
     {
       const bool is_border = m_mesh.is_border_vertex(v);
-      if((m_map.cone[v] != (is_border ? 2 : 4) || (is_border && m_mesh.is_corner[v])) && !is_used[v])
+      const bool is_critical
+        = m_map.cone[v] != (is_border ? 2 : 4) || (is_border && m_mesh.is_corner[v]);
+      if(is_critical && !is_used[v])
         return false;
     }
     return true;

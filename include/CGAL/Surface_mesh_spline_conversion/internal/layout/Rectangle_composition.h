@@ -86,8 +86,8 @@ struct Rectangle_shears
   }
 };
 
-// Builds the quads of a T-mesh with lengths of at least one: every rectangle becomes a grid of quads
-// which its shears carry to the seamless map. No solver takes part, so this cannot fail.
+// Builds the quads of a T-mesh with lengths of at least one: every rectangle becomes a grid of
+// quads which its shears carry to the seamless map. No solver takes part, so this cannot fail.
 class Rectangle_composition
 {
 public:

@@ -88,7 +88,18 @@ public:
     m_changes.clear();
   }
 
+  void set_targets(std::vector<double> targets) { m_targets = std::move(targets); }
+
   void set_lower_bounds(std::vector<int> bounds) { m_lower_bounds = std::move(bounds); }
+
+  // sum of (n - l)^2 / l over the lengths n and their targets l
+  double cost() const
+  {
+    double sum = 0;
+    for(int a = 0; a < number_of_arcs(); ++a)
+      sum += excess(a) * (m_lengths[a] - m_targets[a]);
+    return sum;
+  }
 
   // distance of a length from its target, relative to the target
   double excess(int arc) const
@@ -96,7 +107,7 @@ public:
     return (m_lengths[arc] - m_targets[arc]) / weight_divisor(arc);
   }
 
-  // change of the cost sum (n - l)^2 / l when a length changes by `change`
+  // change of the cost when a length changes by `change`
   double marginal_cost(int arc, int change) const
   {
     return change * (2 * (m_lengths[arc] - m_targets[arc]) + change) / weight_divisor(arc);
@@ -113,8 +124,8 @@ public:
     return true;
   }
 
-  // Changes the length of an arc by one and balances the equations again. The change is pending until
-  // `commit()` or `revert()`; on `false` it is reverted.
+  // Changes the length of an arc by one and balances the equations again. The change is pending
+  // until `commit()` or `revert()`; on `false` it is reverted.
   bool change(int arc, int change)
   {
     if(m_lengths[arc] + change < m_lower_bounds[arc])

@@ -23,14 +23,14 @@ namespace Surface_mesh_spline_conversion {
 namespace internal {
 
 // The motorcycle graph of a seamless map: a partition of the surface into rectangles of the
-// parameter plane that meet in T-junctions. Half-arc `2 * a` runs along arc `a`, `2 * a + 1` against
-// it; the rectangle of a half-arc lies on its left.
+// parameter plane that meet in T-junctions. Half-arc `2 * a` runs along arc `a`, `2 * a + 1`
+// against it; the rectangle of a half-arc lies on its left.
 struct Motorcycle_graph
 {
-  // Slots are the quarter turns at a node, counter clockwise, with the outgoing half-arcs. A node at
-  // a vertex inside has as many as the cone has quarter turns; on the boundary there is one more, the
-  // first slot holding the outgoing, the last the incoming boundary arc. A node where isolines meet
-  // has four slots, one of which may be empty.
+  // Slots are the quarter turns at a node, counter clockwise, with the outgoing half-arcs. A node
+  // at a vertex inside has as many as the cone has quarter turns; on the boundary there is one
+  // more, the first slot holding the outgoing, the last the incoming boundary arc. A node where
+  // isolines meet has four slots, one of which may be empty.
   struct Node
   {
     int vertex;                 // of the working mesh, -1 where isolines meet

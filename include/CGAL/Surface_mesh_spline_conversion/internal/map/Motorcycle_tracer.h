@@ -302,7 +302,8 @@ private:
         continue;
       const std::int64_t other = position(segment.origin, segment.direction, p);
       const std::int64_t own = position(ray.point, ray.direction, p);
-      if(own <= 0 || other >= segment.end || is_source(ray.face, p) || (best.trace >= 0 && own >= best.own_position))
+      if(own <= 0 || other >= segment.end || is_source(ray.face, p)
+         || (best.trace >= 0 && own >= best.own_position))
         continue;
       best.trace = segment.trace;
       best.step = segment.step;
@@ -448,7 +449,7 @@ private:
     return pass_vertex(t, corner, ray, length);
   }
 
-  void meet_at_vertex(int t, const Passage passage, const Fan_position& fan, std::int64_t length)
+  void meet_at_vertex(int t, Passage passage, const Fan_position& fan, std::int64_t length)
   {
     Trace& trace = m_traces[t];
     if(((fan.direction - passage.direction) & 1) == 0)

@@ -15,6 +15,7 @@
 #include <CGAL/Surface_mesh_spline_conversion/internal/map/Quantization_oracle.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -29,8 +30,8 @@ class Quantization
 {
 public:
   Quantization(const Motorcycle_graph& graph, int fractional_bits)
-    : m_graph(graph), m_targets(real_lengths(graph, fractional_bits)),
-      m_network(graph, m_targets), m_oracle(graph)
+    : m_graph(graph), m_real_lengths(real_lengths(graph, fractional_bits)),
+      m_targets(m_real_lengths), m_network(graph, m_targets), m_oracle(graph)
   {
     find_loops();
   }
@@ -39,24 +40,20 @@ public:
   // because the real lengths solve the same equations. `false` should not happen.
   bool quantize_all_positive()
   {
-    std::vector<int> start(m_targets.size());
-    for(std::size_t a = 0; a < start.size(); ++a)
-      start[a] = (std::max)(m_positive_bounds[a], static_cast<int>(std::lround(m_targets[a])));
-    m_network.set_lower_bounds(m_positive_bounds);
-    m_network.set_lengths(start);
-    if(!m_network.balance() && !balance_in_double_cover())
+    if(!balance_positive_lengths())
       return false;
     descend(false);
     return m_oracle(m_network.lengths());
   }
 
-  // Lowers lengths, down to zero where the oracle finds that the layout stays valid: rounding up all
-  // short arcs to one would refine the layout without need.
-  // \pre `quantize_all_positive()` has succeeded
+  // Lowers lengths, down to zero where the oracle finds that the layout stays valid: rounding up
+  // all short arcs to one would refine the layout without need. \pre `quantize_all_positive()` has
+  // succeeded
   void allow_zeros()
   {
-    m_network.set_lower_bounds(std::vector<int>(m_targets.size(), 0));
-    descend(true);
+    descend_to_zeros();
+    if(quads_per_area(1) > largest_waste)
+      approach_from_finer_lengths();
   }
 
   const std::vector<int>& lengths() const { return m_network.lengths(); }
@@ -77,6 +74,79 @@ private:
   static constexpr int maximum_number_of_passes = 30;
   // improvements below this part of a unit of cost are noise
   static constexpr double smallest_gain = 1e-9;
+  // more quads than this times the wanted number are worth a second attempt
+  static constexpr double largest_waste = 1.2;
+  // bounds the work of this attempt
+  static constexpr double largest_scale = 16;
+
+  bool balance_positive_lengths()
+  {
+    std::vector<int> start(m_targets.size());
+    for(std::size_t a = 0; a < start.size(); ++a)
+      start[a] = (std::max)(m_positive_bounds[a], static_cast<int>(std::lround(m_targets[a])));
+    m_network.set_lower_bounds(m_positive_bounds);
+    m_network.set_lengths(start);
+    return m_network.balance() || balance_in_double_cover();
+  }
+
+  void descend_to_zeros()
+  {
+    m_network.set_lower_bounds(std::vector<int>(m_targets.size(), 0));
+    descend(true);
+  }
+
+  // number of quads relative to that of quads with `scale` times the real lengths
+  double quads_per_area(double scale) const
+  {
+    double quads = 0, area = 0;
+    for(const Motorcycle_graph::Rectangle& rectangle : m_graph.rectangles)
+    {
+      std::array<double, 2> size = {{0, 0}}, real_size = {{0, 0}};
+      for(int side = 0; side < 2; ++side)
+        for(int h : rectangle.sides[side])
+        {
+          size[side] += m_network.length(h / 2);
+          real_size[side] += scale * m_real_lengths[h / 2];
+        }
+      quads += size[0] * size[1];
+      area += real_size[0] * real_size[1];
+    }
+    return quads / area;
+  }
+
+  void set_scale(double scale)
+  {
+    for(std::size_t a = 0; a < m_targets.size(); ++a)
+      m_targets[a] = scale * m_real_lengths[a];
+    m_network.set_targets(m_targets);
+  }
+
+  // Where the quads are larger than most arcs, single steps from lengths of one get stuck. It is
+  // better to quantize for small quads, where rounding is harmless, and to enlarge them by and by.
+  void approach_from_finer_lengths()
+  {
+    const std::vector<int> lengths = m_network.lengths();
+    const double cost = m_network.cost();
+    double scale = 1;
+    do
+    {
+      scale *= 2;
+      set_scale(scale);
+      if(!balance_positive_lengths())
+        break;
+      descend(false);
+    }
+    while(scale < largest_scale && quads_per_area(scale) > largest_waste);
+    for(; scale > 1; scale /= std::sqrt(2.))
+    {
+      set_scale(scale);
+      descend_to_zeros();
+    }
+    set_scale(1);
+    descend_to_zeros();
+    if(m_network.cost() > cost || !m_oracle(m_network.lengths()))
+      m_network.set_lengths(lengths);
+  }
 
   // Collects the boundary arcs per loop, and the bounds that give every loop enough sides.
   void find_loops()
@@ -170,7 +240,8 @@ private:
   }
 
   const Motorcycle_graph& m_graph;
-  std::vector<double> m_targets;
+  std::vector<double> m_real_lengths;          // in quads
+  std::vector<double> m_targets;               // the real lengths times a scale
   Length_network m_network;
   Quantization_oracle m_oracle;
   std::vector<std::vector<int> > m_loops;      // boundary arcs

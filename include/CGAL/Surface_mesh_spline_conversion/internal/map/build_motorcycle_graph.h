@@ -15,6 +15,7 @@
 #include <CGAL/Surface_mesh_spline_conversion/internal/map/Motorcycle_graph.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -60,8 +61,8 @@ private:
     int trace;
   };
 
-  // where an isoline arrives: a node of the T-mesh, and the way from the last face of the isoline to
-  // the face in which the other arcs of the node start
+  // where an isoline arrives: a node of the T-mesh, and the way from the last face of the isoline
+  // to the face in which the other arcs of the node start
   struct Line_end
   {
     int node = -1;
@@ -237,7 +238,8 @@ private:
   }
 
   // the crossings between two steps of a path, in either direction
-  std::vector<int> part_of_path(const std::vector<int>& path, std::size_t from, std::size_t to) const
+  std::vector<int> part_of_path(const std::vector<int>& path, std::size_t from,
+                                std::size_t to) const
   {
     const std::vector<int> part(path.begin() + (std::min)(from, to),
                                 path.begin() + (std::max)(from, to));

@@ -25,8 +25,8 @@ namespace internal {
 
 // Turns integer arc lengths into equations for the re-solve of the map: one for every critical node
 // but one per component, along a spanning tree of the T-mesh, and one for every generator of the
-// fundamental group, by a second tree dual to the first one. As the rectangles are simply connected,
-// these imply the lengths of all arcs.
+// fundamental group, by a second tree dual to the first one. As the rectangles are simply
+// connected, these imply the lengths of all arcs.
 class Integer_constraint_builder
 {
 public:
@@ -80,7 +80,8 @@ private:
            || m_half_arc_to[m_graph.source(2 * arc)] == 2 * arc + 1;
   }
 
-  // the half-arcs along each face: those around the rectangles, then those outside the boundary loops
+  // the half-arcs along each face: those around the rectangles, then those outside the boundary
+  // loops
   std::vector<std::vector<int> > half_arcs_of_faces() const
   {
     std::vector<std::vector<int> > faces;
