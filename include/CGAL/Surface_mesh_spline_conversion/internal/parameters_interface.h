@@ -17,7 +17,10 @@ CGAL_add_named_parameter(quad_size_map_t, quad_size_map, quad_size_map)
 CGAL_add_named_parameter(corner_angle_t, corner_angle, corner_angle)
 CGAL_add_named_parameter(association_tolerance_t, association_tolerance, association_tolerance)
 CGAL_add_named_parameter(error_metric_t, error_metric, error_metric)
-CGAL_add_named_parameter(maximum_number_of_patches_t, maximum_number_of_patches, maximum_number_of_patches)
+CGAL_add_named_parameter(maximum_number_of_patches_t, maximum_number_of_patches,
+                         maximum_number_of_patches)
+CGAL_add_named_parameter(do_merge_patches_t, do_merge_patches, do_merge_patches)
+CGAL_add_named_parameter(boundary_vertices_t, boundary_vertices, boundary_vertices)
 #endif
 
 // parameters that CGAL already has and that this package accepts

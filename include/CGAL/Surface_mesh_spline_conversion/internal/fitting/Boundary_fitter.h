@@ -17,7 +17,7 @@
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/fit_parameters.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/format_number.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/plan_bisection.h>
-#include <CGAL/Surface_mesh_spline_conversion/internal/fitting/to_eigen.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/to_eigen.h>
 
 #include <CGAL/Real_timer.h>
 #include <CGAL/number_utils.h>

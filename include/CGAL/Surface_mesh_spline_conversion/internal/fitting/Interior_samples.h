@@ -11,7 +11,7 @@
 
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
-#include <CGAL/Surface_mesh_spline_conversion/internal/fitting/to_eigen.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/to_eigen.h>
 
 #include <CGAL/number_utils.h>
 

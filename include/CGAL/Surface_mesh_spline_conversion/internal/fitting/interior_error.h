@@ -12,7 +12,7 @@
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/Interior_samples.h>
-#include <CGAL/Surface_mesh_spline_conversion/internal/fitting/to_eigen.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/to_eigen.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/patches/quad_sides.h>
 
 #include <Eigen/Core>

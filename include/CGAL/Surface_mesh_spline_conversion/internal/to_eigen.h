@@ -6,8 +6,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-#ifndef CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_FITTING_TO_EIGEN_H
-#define CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_FITTING_TO_EIGEN_H
+#ifndef CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_TO_EIGEN_H
+#define CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_TO_EIGEN_H
 
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
@@ -30,4 +30,4 @@ Eigen::Vector3d to_eigen(const Triple& p)
 } // namespace Surface_mesh_spline_conversion
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_FITTING_TO_EIGEN_H
+#endif // CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_TO_EIGEN_H

@@ -1,0 +1,194 @@
+// Measures the stages of the conversion one by one. The input of each stage is computed once.
+// usage: benchmark_stages [CASE] [options of Google Benchmark]
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh_spline_conversion/Boundary_curve_network_3.h>
+#include <CGAL/Surface_mesh_spline_conversion/IO/read_case.h>
+#include <CGAL/Surface_mesh_spline_conversion/Transfinite_patch_network_3.h>
+#include <CGAL/Surface_mesh_spline_conversion/compute_cross_field.h>
+#include <CGAL/Surface_mesh_spline_conversion/compute_integer_grid_map.h>
+#include <CGAL/Surface_mesh_spline_conversion/extract_quad_layout.h>
+#include <CGAL/Surface_mesh_spline_conversion/fit_boundary.h>
+#include <CGAL/Surface_mesh_spline_conversion/fit_interior.h>
+#include <CGAL/T_NURCC_surface_3.h>
+
+#include <benchmark/benchmark.h>
+
+#include <cstdint>
+#include <cstdlib>
+#include <iostream>
+#include <string>
+#include <utility>
+
+namespace SC = CGAL::Surface_mesh_spline_conversion;
+
+typedef CGAL::Simple_cartesian<double> K;
+typedef SC::Conversion_case<K> Case;
+typedef SC::Boundary_curve_network_3<Case::Triangle_mesh, Case::Curve_traits> Network;
+typedef SC::Quad_layout<K> Layout;
+typedef SC::Transfinite_patch_network_3<K, Case::Triangle_mesh, Case::Curve_traits> Target;
+typedef CGAL::T_NURCC_surface_3<K> Surface;
+
+// what the stages hand on to each other
+struct Pipeline
+{
+  Case input;
+  SC::Cross_field field;
+  SC::Integer_grid_map map;
+  Layout layout;
+
+  Network network() const
+  {
+    return Network(input.mesh, input.halfedge_curve_map(), input.traits,
+                   CGAL::parameters::corner_angle(0.5)
+                     .vertex_is_constrained_map(input.vertex_is_corner_map()));
+  }
+};
+
+void check(benchmark::State& state, SC::Error_code code)
+{
+  if(code != SC::Error_code::OK && code != SC::Error_code::TOLERANCE_NOT_REACHED)
+    state.SkipWithError(SC::error_message(code));
+}
+
+void measure_network(benchmark::State& state, const Pipeline& pipeline)
+{
+  for(auto _ : state)
+    check(state, pipeline.network().error());
+}
+
+void measure_cross_field(benchmark::State& state, const Pipeline& pipeline)
+{
+  const Network network = pipeline.network();
+  for(auto _ : state)
+  {
+    SC::Cross_field field;
+    check(state, SC::compute_cross_field(pipeline.input.mesh, network, field));
+  }
+}
+
+void measure_integer_grid_map(benchmark::State& state, const Pipeline& pipeline)
+{
+  for(auto _ : state)
+  {
+    SC::Integer_grid_map map;
+    check(state, SC::compute_integer_grid_map(pipeline.field, map));
+  }
+}
+
+void measure_quad_layout(benchmark::State& state, const Pipeline& pipeline)
+{
+  const Network network = pipeline.network();
+  for(auto _ : state)
+  {
+    Layout layout;
+    check(state, SC::extract_quad_layout(pipeline.map, pipeline.input.mesh, network, layout));
+  }
+  state.counters["quads"] = static_cast<double>(pipeline.layout.number_of_quads());
+}
+
+void measure_target(benchmark::State& state, const Pipeline& pipeline)
+{
+  const Network network = pipeline.network();
+  for(auto _ : state)
+    Target(pipeline.layout, network, pipeline.input.mesh);
+}
+
+// the tolerances are relative to the diameter
+const double xi = 1e-5, delta = 5e-3;
+
+void measure_fit_boundary(benchmark::State& state, const Pipeline& pipeline)
+{
+  const Network network = pipeline.network();
+  const Target target(pipeline.layout, network, pipeline.input.mesh);
+  for(auto _ : state)
+  {
+    Surface surface(pipeline.layout);
+    SC::Conversion_report report;
+    check(state, SC::fit_boundary(surface, target, report,
+                                  CGAL::parameters::boundary_tolerance(xi * network.diameter())));
+    state.counters["patches"] = static_cast<double>(surface.number_of_patches());
+  }
+}
+
+void measure_fit_interior(benchmark::State& state, const Pipeline& pipeline)
+{
+  const Network network = pipeline.network();
+  const Target target(pipeline.layout, network, pipeline.input.mesh);
+  Surface start(pipeline.layout);
+  SC::Conversion_report report;
+  const auto np = CGAL::parameters::boundary_tolerance(xi * network.diameter())
+                    .interior_tolerance(delta * network.diameter());
+  check(state, SC::fit_boundary(start, target, report, np));
+  for(auto _ : state)
+  {
+    Surface surface(start);
+    check(state, SC::fit_interior(surface, target, report, np));
+    state.counters["patches"] = static_cast<double>(surface.number_of_patches());
+  }
+}
+
+void measure_evaluation(benchmark::State& state, const Pipeline& pipeline)
+{
+  const Surface surface(pipeline.layout);
+  for(auto _ : state)
+    for(std::size_t patch = 0; patch < surface.number_of_patches(); ++patch)
+    {
+      const auto origin = surface.patch_origin(patch);
+      const double u = (origin.u0 + origin.u1) / 2, v = (origin.v0 + origin.v1) / 2;
+      benchmark::DoNotOptimize(surface.position(patch, u, v));
+    }
+  state.SetItemsProcessed(static_cast<std::int64_t>(surface.number_of_patches())
+                          * state.iterations());
+}
+
+// Runs the stages up to the layout; returns `false` if one of them fails.
+bool prepare(const std::string& path, Pipeline& pipeline)
+{
+  std::string message;
+  if(!CGAL::IO::read_case(path, pipeline.input, message))
+  {
+    std::cerr << message << std::endl;
+    return false;
+  }
+  const Network network = pipeline.network();
+  SC::Error_code code = network.error();
+  if(code == SC::Error_code::OK)
+    code = SC::compute_cross_field(pipeline.input.mesh, network, pipeline.field);
+  if(code == SC::Error_code::OK)
+    code = SC::compute_integer_grid_map(pipeline.field, pipeline.map);
+  if(code == SC::Error_code::OK)
+    code = SC::extract_quad_layout(pipeline.map, pipeline.input.mesh, network, pipeline.layout);
+  if(code != SC::Error_code::OK)
+    std::cerr << SC::error_message(code) << std::endl;
+  return code == SC::Error_code::OK;
+}
+
+int main(int argc, char* argv[])
+{
+  std::string path = CGAL::data_file_path("cases/d4_bracket_simp/case.json");
+  benchmark::Initialize(&argc, argv);
+  if(argc > 1)
+    path = argv[1];
+  Pipeline pipeline;
+  if(!prepare(path, pipeline))
+    return EXIT_FAILURE;
+
+  typedef void (*Measurement)(benchmark::State&, const Pipeline&);
+  const std::pair<const char*, Measurement> measurements[] = {
+    {"network", measure_network},
+    {"cross_field", measure_cross_field},
+    {"integer_grid_map", measure_integer_grid_map},
+    {"quad_layout", measure_quad_layout},
+    {"target", measure_target},
+    {"fit_boundary", measure_fit_boundary},
+    {"fit_interior", measure_fit_interior},
+    {"evaluation", measure_evaluation}};
+  for(const auto& measurement : measurements)
+    benchmark::RegisterBenchmark(
+      measurement.first,
+      [&pipeline, measurement](benchmark::State& state) { measurement.second(state, pipeline); })
+      ->Unit(benchmark::kMillisecond);
+  benchmark::RunSpecifiedBenchmarks();
+  return EXIT_SUCCESS;
+}

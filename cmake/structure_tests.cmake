@@ -1,0 +1,45 @@
+# Tests of the structure of the package: every header compiles alone, twice, and without a warning;
+# the layers include only what lies below them; no header has the name of one of CGAL's headers.
+file(GLOB_RECURSE SMSC_HEADERS CONFIGURE_DEPENDS RELATIVE ${SMSC_ROOT_DIR}/include
+  ${SMSC_ROOT_DIR}/include/*.h)
+list(FILTER SMSC_HEADERS EXCLUDE REGEX "parameters_interface\\.h$") # an X-macro list
+
+find_path(SMSC_CGAL_HEADERS CGAL/version.h HINTS ${CGAL_INCLUDE_DIRS})
+add_test(NAME structure_layers
+  COMMAND ${CMAKE_COMMAND} -DROOT=${SMSC_ROOT_DIR} -P ${CMAKE_CURRENT_LIST_DIR}/check_layers.cmake)
+add_test(NAME structure_header_names
+  COMMAND ${CMAKE_COMMAND} -DROOT=${SMSC_ROOT_DIR} -DCGAL_HEADERS=${SMSC_CGAL_HEADERS}/CGAL
+          -P ${CMAKE_CURRENT_LIST_DIR}/check_header_names.cmake)
+
+# adds a test for each compiler: `content` compiles without a warning
+function(smsc_add_compilation_test name content)
+  set(source ${CMAKE_CURRENT_BINARY_DIR}/headers/${name}.cpp)
+  file(GENERATE OUTPUT ${source} CONTENT "${content}")
+  set(eigen $<TARGET_PROPERTY:CGAL::Eigen3_support,INTERFACE_INCLUDE_DIRECTORIES>)
+  foreach(compiler ${SMSC_COMPILERS})
+    get_filename_component(compiler_name ${compiler} NAME)
+    set(test header_${name}_${compiler_name})
+    add_test(NAME ${test}
+      COMMAND ${compiler} -std=c++17 -fsyntax-only -Wall -Wextra -Werror
+              -I ${SMSC_ROOT_DIR}/include "-isystem;$<JOIN:${eigen},;-isystem;>" ${source}
+      COMMAND_EXPAND_LISTS)
+    set_tests_properties(${test} PROPERTIES LABELS headers TIMEOUT 600)
+  endforeach()
+endfunction()
+
+if(SMSC_TEST_HEADERS AND NOT MSVC)
+  set(SMSC_COMPILERS ${CMAKE_CXX_COMPILER})
+  find_program(SMSC_CLANG NAMES clang++-14 clang++)
+  if(SMSC_CLANG AND NOT CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+    list(APPEND SMSC_COMPILERS ${SMSC_CLANG})
+  endif()
+  set(all "")
+  foreach(header ${SMSC_HEADERS})
+    string(REGEX REPLACE "^CGAL/(Surface_mesh_spline_conversion/)?" "" name ${header})
+    string(REGEX REPLACE "[/.]" "_" name ${name})
+    smsc_add_compilation_test(${name} "#include <${header}>\n#include <${header}>\n")
+    string(APPEND all "#include <${header}>\n")
+  endforeach()
+  # internal names of different stages must not clash
+  smsc_add_compilation_test(together "${all}")
+endif()

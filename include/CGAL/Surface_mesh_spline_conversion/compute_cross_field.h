@@ -1,0 +1,168 @@
+// Copyright (c) 2026 the authors of the package Surface_mesh_spline_conversion.
+// All rights reserved.
+//
+// This file is part of the package Surface_mesh_spline_conversion, which is being
+// prepared for submission to CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+#ifndef CGAL_SURFACE_MESH_SPLINE_CONVERSION_COMPUTE_CROSS_FIELD_H
+#define CGAL_SURFACE_MESH_SPLINE_CONVERSION_COMPUTE_CROSS_FIELD_H
+
+#include <CGAL/license/Surface_mesh_spline_conversion.h>
+
+#include <CGAL/Surface_mesh_spline_conversion/Cross_field.h>
+#include <CGAL/Surface_mesh_spline_conversion/Error_code.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/field/build_cross_field.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/map/make_working_mesh.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/named_parameters.h>
+
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_spline_conversion {
+
+namespace internal {
+
+inline double mean_edge_length(const Working_mesh& mesh)
+{
+  double sum = 0;
+  for(int h = 0; h < mesh.number_of_halfedges(); ++h)
+    sum += mesh.vector(h).norm();
+  return sum / mesh.number_of_halfedges();
+}
+
+// the quad size is a number, a property map of the vertices, or is to be chosen
+template <typename Size, typename VertexDescriptor>
+double quad_size_at(const Size& size, VertexDescriptor v, double)
+{
+  if constexpr(std::is_arithmetic<Size>::value)
+    return static_cast<double>(size);
+  else
+    return CGAL::to_double(get(size, v));
+}
+
+template <typename VertexDescriptor>
+double quad_size_at(internal_np::Param_not_found, VertexDescriptor, double default_size)
+{
+  return default_size;
+}
+
+// Makes sizes grow at most by `gradation` per unit length: steeper ones could not be followed by quads
+// of bounded distortion.
+inline void limit_gradation(const Working_mesh& mesh, double gradation, std::vector<double>& size)
+{
+  bool has_changed = true;
+  while(has_changed)
+  {
+    has_changed = false;
+    for(int h = 0; h < mesh.number_of_halfedges(); ++h)
+    {
+      const int v = mesh.source(h), w = mesh.target(h);
+      const double step = gradation * mesh.vector(h).norm();
+      for(const auto& ends : {std::make_pair(v, w), std::make_pair(w, v)})
+        if(size[ends.second] > size[ends.first] + step)
+        {
+          size[ends.second] = size[ends.first] + step;
+          has_changed = true;
+        }
+    }
+  }
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgSurfaceMeshSplineConversionRef
+
+computes a smooth cross field on a triangle mesh whose singularities and boundary behaviour suit quads
+of a given size.
+
+In the boundary faces the field is aligned with the boundary, elsewhere it follows the directions of
+principal curvature where these are distinct. Boundary vertices are regular, but for corners with an
+interior angle below 135 degrees, at which one quad will stand; what the field turns more at other
+corners is moved to an inner vertex, about two quads away. Pairs of opposite singularities that are
+closer than two quads cancel each other. The field lives on a refinement of the mesh: edges that are
+longer than a quad or that join two boundary vertices or two singularities are split.
+
+\tparam TriangleMesh a model of `HalfedgeListGraph` and `FaceListGraph`
+\tparam BoundaryCurveNetwork an instance of `Boundary_curve_network_3`
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param tm a triangle mesh
+\param network the curves at the boundary of `tm`
+\param field the result
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
+       below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{quad_size_map}
+    \cgalParamDescription{the wanted edge length of the quads, in model units}
+    \cgalParamType{a number, or a class model of `ReadablePropertyMap` with
+                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a number
+                    type as value type}
+    \cgalParamDefault{the larger of `D / 40` and twice the mean edge length, where `D` is
+                       `smallest_enclosing_sphere_diameter(tm)`}
+    \cgalParamExtra{sizes are reduced where they grow faster than by half of the distance}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_point_map}
+    \cgalParamDescription{a property map associating points to the vertices of `tm`}
+    \cgalParamType{a class model of `ReadablePropertyMap` with
+                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and
+                    `%Point_3` as value type}
+    \cgalParamDefault{`boost::get(CGAL::vertex_point, tm)`}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return `Error_code::OK`, or the reason why there is no field: that of the network if it has one, an
+        unsuitable mesh, a size that is not a positive number, or a numerical failure.
+
+\pre `network` has been created from `tm`
+*/
+template <typename TriangleMesh, typename BoundaryCurveNetwork,
+          typename NamedParameters = parameters::Default_named_parameters>
+Error_code compute_cross_field(const TriangleMesh& tm, const BoundaryCurveNetwork& network,
+                               Cross_field& field,
+                               const NamedParameters& np = parameters::default_values())
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+
+  if(network.error() != Error_code::OK)
+    return network.error();
+  const auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
+                                    get_const_property_map(vertex_point, tm));
+  field = Cross_field();
+  std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> vertex;
+  const Error_code code = internal::make_working_mesh(tm, network, vpm, field.mesh, vertex);
+  if(code != Error_code::OK)
+    return code;
+
+  const double quads_per_diameter = 40, edges_per_quad = 2, gradation = 0.5;
+  const double default_size
+    = (std::max)(CGAL::to_double(network.diameter()) / quads_per_diameter,
+                 edges_per_quad * internal::mean_edge_length(field.mesh));
+  const auto size = get_parameter(np, internal_np::quad_size_map);
+  for(const auto v : vertex)
+  {
+    field.size.push_back(internal::quad_size_at(size, v, default_size));
+    if(!(field.size.back() > 0) || !std::isfinite(field.size.back()))
+      return Error_code::INVALID_PARAMETER;
+  }
+  // vertices that split ears: the gradation gives them the size of their neighbours
+  const double largest = *std::max_element(field.size.begin(), field.size.end());
+  field.size.resize(field.mesh.number_of_vertices(), largest);
+  internal::limit_gradation(field.mesh, gradation, field.size);
+  return internal::build_cross_field(field);
+}
+
+} // namespace Surface_mesh_spline_conversion
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_SPLINE_CONVERSION_COMPUTE_CROSS_FIELD_H

@@ -1,0 +1,176 @@
+// Copyright (c) 2026 the authors of the package Surface_mesh_spline_conversion.
+// All rights reserved.
+//
+// This file is part of the package Surface_mesh_spline_conversion, which is being
+// prepared for submission to CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+#ifndef CGAL_SURFACE_MESH_SPLINE_CONVERSION_EXTRACT_NURBS_FACES_H
+#define CGAL_SURFACE_MESH_SPLINE_CONVERSION_EXTRACT_NURBS_FACES_H
+
+#include <CGAL/license/Surface_mesh_spline_conversion.h>
+
+#include <CGAL/T_NURCC_surface_3.h>
+
+#include <CGAL/Surface_mesh_spline_conversion/NURBS_shell_3.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/export/Cell_complex.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/export/bezier_pieces.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/export/extract_shell.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/export/quad_neighbors.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/named_parameters.h>
+
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/number_utils.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_spline_conversion {
+
+/*!
+\ingroup PkgSurfaceMeshSplineConversionRef
+
+is a place where the boundary of a shell gets a vertex, on a boundary side of a quad of the layout.
+*/
+template <typename FT>
+struct Boundary_vertex
+{
+  std::size_t quad; ///< the quad
+  int side;         ///< the number of the side
+  FT parameter;     ///< in \f$ [0,1] \f$, counter clockwise along the side
+};
+
+/*!
+\ingroup PkgSurfaceMeshSplineConversionRef
+
+tells how well the caps at extraordinary points replace the surface.
+*/
+template <typename FT>
+struct Cap_statistics
+{
+  std::size_t number_of_caps = 0;       ///< one for each extraordinary point
+  std::size_t number_of_sharp_caps = 0; ///< caps that are tangent continuous only approximately
+  FT deviation = 0;                     ///< largest distance from the surface, along its normals
+};
+
+namespace internal {
+
+// Subdivisions of patches at extraordinary points. Two suffice for caps of extraordinary points that
+// share an edge; each further one divides the deviation by three and more.
+constexpr int EXTRACTION_LEVELS = 6;
+
+// the share of the interior tolerance that caps may use
+constexpr double CAP_SHARE_OF_TOLERANCE = 0.1;
+
+template <typename FT>
+std::int64_t quad_ticks(const FT& t)
+{
+  return std::llround(CGAL::to_double(t) * double(QUAD_TICKS));
+}
+
+template <typename K>
+std::vector<Cell> surface_cells(const T_NURCC_surface_3<K>& surface)
+{
+  std::vector<Cell> cells;
+  for(const auto& element : surface.bezier_elements(EXTRACTION_LEVELS))
+  {
+    Cell cell;
+    cell.patch = element.patch;
+    cell.quad = surface.patch_origin(element.patch).quad;
+    cell.rectangle = {{{quad_ticks(element.u0), quad_ticks(element.v0)}},
+                      {{quad_ticks(element.u1), quad_ticks(element.v1)}}};
+    for(std::size_t i = 0; i < cell.points.size(); ++i)
+      cell.points[i] = to_eigen(element.points[i]);
+    cells.push_back(cell);
+  }
+  return cells;
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgSurfaceMeshSplineConversionRef
+
+turns a T-NURCC surface into the faces of a boundary representation.
+
+Away from extraordinary points the surface is piecewise bicubic. Its pieces are merged to rectangles
+on which it is twice continuously differentiable; each becomes one bicubic B-spline face, exactly. At
+an extraordinary point of valence \f$ n \f$, \f$ n \f$ biquintic faces make a cap that joins its
+neighbors and itself with continuous tangent planes and approximates the surface. Adjacent faces share
+their edges; a face whose side has T-junctions has several edges there.
+
+\tparam K a model of `Kernel` with a floating point number type
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param surface the surface
+\param shell receives the faces; it should be empty
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
+       below
+
+\return the number and the deviation of the caps
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{interior_tolerance}
+    \cgalParamDescription{in model units; caps are made smaller until they deviate from the surface by
+                           less than a tenth of it}
+    \cgalParamType{a positive number}
+    \cgalParamDefault{\f$ 10^{-3} \f$ times the largest coordinate}
+  \cgalParamNEnd
+  \cgalParamNBegin{do_merge_patches}
+    \cgalParamDescription{whether faces may cover several patches}
+    \cgalParamType{Boolean}
+    \cgalParamDefault{`true`}
+  \cgalParamNEnd
+  \cgalParamNBegin{boundary_vertices}
+    \cgalParamDescription{where the boundary gets vertices beside those at its corners, for instance
+                           at the joints of the curves}
+    \cgalParamType{`std::vector<Boundary_vertex<FT> >`}
+    \cgalParamDefault{none}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+*/
+template <typename K, typename NamedParameters = parameters::Default_named_parameters>
+Cap_statistics<typename K::FT>
+extract_NURBS_faces(const T_NURCC_surface_3<K>& surface, NURBS_shell_3<K>& shell,
+                    const NamedParameters& np = parameters::default_values())
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  typedef typename K::FT FT;
+
+  constexpr double DEFAULT_RELATIVE_TOLERANCE = 1e-3;
+  std::vector<internal::Cell> cells = internal::surface_cells(surface);
+  const double tolerance = CGAL::to_double(choose_parameter(
+    get_parameter(np, internal_np::interior_tolerance),
+    FT(DEFAULT_RELATIVE_TOLERANCE * internal::largest_coordinate(cells))));
+  const std::vector<Boundary_vertex<FT> > boundary_vertices = choose_parameter(
+    get_parameter(np, internal_np::boundary_vertices), std::vector<Boundary_vertex<FT> >());
+
+  internal::Extraction_settings settings;
+  settings.across_patches
+    = choose_parameter(get_parameter(np, internal_np::do_merge_patches), true);
+  settings.levels = internal::EXTRACTION_LEVELS;
+  settings.cap_tolerance = internal::CAP_SHARE_OF_TOLERANCE * tolerance;
+  for(const Boundary_vertex<FT>& v : boundary_vertices)
+    settings.boundary_points.push_back({v.quad, v.side, CGAL::to_double(v.parameter)});
+
+  auto position = [&surface](std::size_t patch, double u, double v)
+  { return internal::to_eigen(surface.position(patch, FT(u), FT(v))); };
+  const internal::Extraction_result result = internal::extract_shell(
+    std::move(cells), internal::quad_neighbors(surface), position, settings, shell);
+
+  Cap_statistics<FT> statistics;
+  statistics.number_of_caps = result.number_of_caps;
+  statistics.number_of_sharp_caps = result.number_of_sharp_caps;
+  statistics.deviation = result.cap_deviation;
+  return statistics;
+}
+
+} // namespace Surface_mesh_spline_conversion
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_SPLINE_CONVERSION_EXTRACT_NURBS_FACES_H

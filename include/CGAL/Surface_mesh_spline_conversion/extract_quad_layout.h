@@ -1,0 +1,175 @@
+// Copyright (c) 2026 the authors of the package Surface_mesh_spline_conversion.
+// All rights reserved.
+//
+// This file is part of the package Surface_mesh_spline_conversion, which is being
+// prepared for submission to CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+#ifndef CGAL_SURFACE_MESH_SPLINE_CONVERSION_EXTRACT_QUAD_LAYOUT_H
+#define CGAL_SURFACE_MESH_SPLINE_CONVERSION_EXTRACT_QUAD_LAYOUT_H
+
+#include <CGAL/license/Surface_mesh_spline_conversion.h>
+
+#include <CGAL/Surface_mesh_spline_conversion/Error_code.h>
+#include <CGAL/Surface_mesh_spline_conversion/Integer_grid_map.h>
+#include <CGAL/Surface_mesh_spline_conversion/Quad_layout.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/layout/Layout_inverse_map.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/layout/Mapped_quads.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/named_parameters.h>
+
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/number_utils.h>
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_spline_conversion {
+
+namespace internal {
+
+// the corners of all faces, in the order of `faces(tm)` and `vertices_around_face()`
+template <typename TriangleMesh, typename VertexPointMap>
+std::vector<std::array<Eigen::Vector3d, 3> > face_corners(const TriangleMesh& tm,
+                                                          const VertexPointMap& vpm)
+{
+  std::vector<std::array<Eigen::Vector3d, 3> > corners;
+  for(auto f : faces(tm))
+  {
+    std::array<Eigen::Vector3d, 3> points;
+    std::size_t i = 0;
+    for(auto v : vertices_around_face(halfedge(f, tm), tm))
+    {
+      const auto& p = get(vpm, v);
+      points[i++] = Eigen::Vector3d(CGAL::to_double(p.x()), CGAL::to_double(p.y()),
+                                    CGAL::to_double(p.z()));
+    }
+    corners.push_back(points);
+  }
+  return corners;
+}
+
+// Copies the combinatorics and the boundary to a layout whose points are not set yet.
+template <typename GeomTraits>
+Quad_layout<GeomTraits> make_layout(const Quad_grid& grid, const Working_mesh& mesh)
+{
+  typedef Quad_layout<GeomTraits> Layout;
+  const std::size_t n = grid.number_of_quads();
+  std::vector<std::array<std::size_t, 4> > quads(n);
+  std::vector<std::array<typename Layout::Side, 4> > neighbors(n);
+  for(std::size_t q = 0; q < n; ++q)
+    for(int i = 0; i < 4; ++i)
+    {
+      quads[q][i] = grid.vertices[q][i];
+      const Quad_grid::Side& side = grid.neighbors[q][i];
+      neighbors[q][i] = side.first < 0 ? typename Layout::Side(Layout::null, 0)
+                                       : typename Layout::Side(side.first, side.second);
+    }
+  Layout layout(std::vector<typename Layout::Point_3>(grid.number_of_vertices()),
+                std::move(quads), std::move(neighbors));
+  for(std::size_t q = 0; q < n; ++q)
+    for(int i = 0; i < 4; ++i)
+      if(layout.is_border(q, i))
+      {
+        const Quad_grid::Border& border = grid.borders[q][i];
+        layout.set_boundary_side(q, i, typename Layout::Boundary_side{
+          border.chain, typename Layout::FT(border.first), typename Layout::FT(border.last)});
+      }
+  for(int v = 0; v < grid.number_of_vertices(); ++v)
+    layout.set_corner(v, grid.mesh_vertex[v] >= 0 && mesh.is_corner[grid.mesh_vertex[v]]);
+  return layout;
+}
+
+// Sets the points of the vertices: those at vertices of the mesh exactly, others by the inverse map.
+template <typename GeomTraits>
+void set_points(const Quad_grid& grid, const Working_mesh& mesh, Quad_layout<GeomTraits>& layout)
+{
+  for(std::size_t q = 0; q < layout.number_of_quads(); ++q)
+    for(int i = 0; i < 4; ++i)
+      layout.set_point(layout.vertex(q, i),
+                       layout.inverse_map()(q, i == 1 || i == 2, i >= 2).point);
+  for(int v = 0; v < grid.number_of_vertices(); ++v)
+    if(grid.mesh_vertex[v] >= 0)
+    {
+      const Eigen::Vector3d& p = mesh.points[grid.mesh_vertex[v]];
+      layout.set_point(v, typename GeomTraits::Point_3(p[0], p[1], p[2]));
+    }
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgSurfaceMeshSplineConversionRef
+
+extracts the quad layout of an integer grid map: the quads with their neighbours, their vertices on
+the mesh, the pieces of the boundary below them, and the inverse map.
+
+All decisions are exact, and the result is checked: it has the Euler characteristic of the mesh, its
+irregular vertices are the singularities of the map, corners of the boundary are vertices, and the
+boundary sides cover each boundary chain once. Vertices at vertices of the mesh have exactly their
+points. The inverse map is continuous up to rounding and maps no two quads to the same place. It is
+piecewise linear if the map has been solved again (`Integer_grid_map::is_resolved`).
+
+\tparam TriangleMesh a model of `FaceListGraph`
+\tparam BoundaryCurveNetwork an instance of `Boundary_curve_network_3`
+\tparam GeomTraits a model of `Kernel`
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param map the integer grid map
+\param tm the triangle mesh from which `map` has been computed
+\param network the curves at the boundary of `tm`
+\param layout the result
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
+       below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{vertex_point_map}
+    \cgalParamDescription{a property map associating points to the vertices of `tm`}
+    \cgalParamType{a class model of `ReadablePropertyMap` with
+                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and
+                    `%Point_3` as value type}
+    \cgalParamDefault{`boost::get(CGAL::vertex_point, tm)`}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return `Error_code::OK`, the error of the network if it has one, or `Error_code::NO_QUAD_LAYOUT`.
+
+\pre `network` and `map` have been created from `tm`
+*/
+template <typename TriangleMesh, typename BoundaryCurveNetwork, typename GeomTraits,
+          typename NamedParameters = parameters::Default_named_parameters>
+Error_code extract_quad_layout(const Integer_grid_map& map, const TriangleMesh& tm,
+                               const BoundaryCurveNetwork& network,
+                               Quad_layout<GeomTraits>& layout,
+                               const NamedParameters& np = parameters::default_values())
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+
+  if(network.error() != Error_code::OK)
+    return network.error();
+  internal::Mapped_quads quads;
+  if(*quads.build(map) != 0)
+    return Error_code::NO_QUAD_LAYOUT;
+  const auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
+                                    get_const_property_map(vertex_point, tm));
+  const internal::Quad_grid grid = quads.quads();
+  const internal::Working_mesh& mesh = map.map.mesh;
+  layout = internal::make_layout<GeomTraits>(grid, mesh);
+  layout.set_inverse_map(std::make_shared<const internal::Layout_inverse_map<GeomTraits> >(
+    std::move(quads), mesh, internal::face_corners(tm, vpm)));
+  internal::set_points(grid, mesh, layout);
+  return Error_code::OK;
+}
+
+} // namespace Surface_mesh_spline_conversion
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_SPLINE_CONVERSION_EXTRACT_QUAD_LAYOUT_H

@@ -1,0 +1,462 @@
+// Copyright (c) 2026 the authors of the package Surface_mesh_spline_conversion.
+// All rights reserved.
+//
+// This file is part of the package Surface_mesh_spline_conversion, which is being
+// prepared for submission to CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+#ifndef CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_CAPS_CAP_BUILDER_H
+#define CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_CAPS_CAP_BUILDER_H
+
+#include <CGAL/license/Surface_mesh_spline_conversion.h>
+
+#include <CGAL/Surface_mesh_spline_conversion/internal/caps/Cap_operator.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/export/Cell_complex.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/export/blossoms.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_spline_conversion {
+namespace internal {
+
+/// Bezier points of a biquintic piece, `[6*b+a]` with `a` along `u`
+typedef std::array<Eigen::Vector3d, Cap_operator::POINTS> Biquintic;
+
+/// the square of a cap in one of the quads round an extraordinary point
+struct Cap_sector
+{
+  std::size_t quad = NO_INDEX;
+  int corner = 0;           ///< of the quad, where the extraordinary point is
+  Tick_rectangle rectangle = {{{0, 0}}, {{0, 0}}};
+  std::size_t patch = NO_INDEX;
+  Biquintic points;         ///< extraordinary point at (0,0), `u` along side `corner` of the quad
+};
+
+struct Cap
+{
+  std::vector<Cap_sector> sectors; ///< counter clockwise
+  std::int64_t patch_size = QUAD_TICKS; ///< of the patches round the extraordinary point
+  int level = 0;                   ///< the squares are patches halved so many times
+  double residual = 0;             ///< of the equations of tangent continuity
+  double deviation = 0;            ///< from the surface, normal to it
+  bool is_regular = true;          ///< do the normals look the way they do on the surface?
+};
+
+/// Replaces the neighbourhoods of extraordinary points by G1 caps. A cap is as large as possible:
+/// the cells along its outer sides must be single polynomials that belong to no cap, and its
+/// deviation from the surface must keep a tolerance. Halving the squares divides the deviation by
+/// 3 to 8, depending on the valence.
+template <typename Position>
+class Cap_builder
+{
+public:
+  struct Settings
+  {
+    double tolerance;   ///< on the deviation
+    double equality;    ///< lengths below are rounding
+    int maximum_level;  ///< to which the cells are given
+  };
+
+  /// \param complex all cells, subdivided at extraordinary points to the maximum level
+  /// \param position returns the point of a patch at coordinates of its quad, in [0,1]
+  Cap_builder(const Cell_complex& complex, const Position& position, const Settings& settings)
+    : m_complex(complex), m_position(position), m_settings(settings), m_cells_of_quad(
+        complex.neighbors().size())
+  {
+    const std::vector<Cell>& cells = m_complex.cells();
+    for(std::size_t c = 0; c < cells.size(); ++c)
+      m_cells_of_quad[cells[c].quad].push_back(c);
+  }
+
+  std::vector<Cap> operator()()
+  {
+    find_extraordinary_points();
+    separate();
+    std::vector<std::size_t> open(m_caps.size());
+    std::iota(open.begin(), open.end(), std::size_t(0));
+    while(!open.empty())
+    {
+      set_rectangles();
+      mark_covered_cells();
+      std::vector<std::size_t> again;
+      for(std::size_t i : open)
+      {
+        compute(m_caps[i]);
+        if(is_good(m_caps[i]) || m_caps[i].level == m_settings.maximum_level)
+          continue;
+        ++m_caps[i].level;
+        again.push_back(i);
+      }
+      open.swap(again);
+    }
+    return m_caps;
+  }
+
+  /// the cells that remain, and those of the caps
+  std::vector<Cell> cells(const std::vector<Cap>& caps) const
+  {
+    std::vector<char> is_covered(m_complex.cells().size(), false);
+    for(const Cap& cap : caps)
+      for(const Cap_sector& sector : cap.sectors)
+        for(std::size_t c : m_cells_of_quad[sector.quad])
+          if(contains(sector.rectangle, m_complex.cells()[c].rectangle))
+            is_covered[c] = true;
+    std::vector<Cell> result;
+    for(std::size_t c = 0; c < is_covered.size(); ++c)
+      if(!is_covered[c])
+        result.push_back(m_complex.cells()[c]);
+    for(std::size_t i = 0; i < caps.size(); ++i)
+      for(std::size_t k = 0; k < caps[i].sectors.size(); ++k)
+      {
+        const Cap_sector& sector = caps[i].sectors[k];
+        result.push_back({sector.quad, sector.rectangle, Bicubic(), sector.patch, i, k});
+      }
+    return result;
+  }
+
+private:
+  static constexpr int INTERVALS = Cap_operator::INTERVALS;
+
+  static bool contains(const Tick_rectangle& r, const Tick_rectangle& s)
+  {
+    return r.low[0] <= s.low[0] && r.low[1] <= s.low[1]
+        && s.high[0] <= r.high[0] && s.high[1] <= r.high[1];
+  }
+
+  void find_extraordinary_points()
+  {
+    const Quad_neighbors& neighbors = m_complex.neighbors();
+    for(std::size_t q = 0; q < neighbors.size(); ++q)
+      for(int i = 0; i < 4; ++i)
+      {
+        const std::pair<std::size_t, int> start(q, i);
+        std::vector<std::pair<std::size_t, int> > round;
+        std::pair<std::size_t, int> at = start;
+        do
+        {
+          round.push_back(at);
+          at = Cell_complex::next_sector(neighbors, at);
+        }
+        while(at.first != NO_INDEX && at != start && at > start);
+        if(at == start && round.size() != 4)
+          add_cap(round);
+      }
+  }
+
+  void add_cap(const std::vector<std::pair<std::size_t, int> >& round)
+  {
+    Cap cap;
+    for(const auto& corner : round)
+    {
+      Cap_sector sector;
+      sector.quad = corner.first;
+      sector.corner = corner.second;
+      sector.patch = patch_at_corner(corner);
+      for(int axis = 0; axis < 2; ++axis)
+        cap.patch_size
+          = (std::min)(cap.patch_size, patch_bounds(sector.quad, sector.patch).extent(axis));
+      cap.sectors.push_back(sector);
+    }
+    m_caps.push_back(cap);
+  }
+
+  std::size_t patch_at_corner(const std::pair<std::size_t, int>& corner) const
+  {
+    const Tick_point p = quad_corner(corner.second);
+    for(std::size_t c : m_cells_of_quad[corner.first])
+      if(contains(m_complex.cells()[c].rectangle, {p, p}))
+        return m_complex.cells()[c].patch;
+    return NO_INDEX;
+  }
+
+  Tick_rectangle patch_bounds(std::size_t quad, std::size_t patch) const
+  {
+    Tick_rectangle bounds = {{{QUAD_TICKS, QUAD_TICKS}}, {{0, 0}}};
+    for(std::size_t c : m_cells_of_quad[quad])
+      if(m_complex.cells()[c].patch == patch)
+        for(int axis = 0; axis < 2; ++axis)
+        {
+          const Tick_rectangle& r = m_complex.cells()[c].rectangle;
+          bounds.low[axis] = (std::min)(bounds.low[axis], r.low[axis]);
+          bounds.high[axis] = (std::max)(bounds.high[axis], r.high[axis]);
+        }
+    return bounds;
+  }
+
+  void set_rectangles()
+  {
+    for(Cap& cap : m_caps)
+    {
+      const std::int64_t size = cap.patch_size >> cap.level;
+      for(Cap_sector& sector : cap.sectors)
+      {
+        const Tick_point p = quad_corner(sector.corner);
+        for(int axis = 0; axis < 2; ++axis)
+        {
+          sector.rectangle.low[axis] = (p[axis] == 0) ? 0 : QUAD_TICKS - size;
+          sector.rectangle.high[axis] = (p[axis] == 0) ? size : QUAD_TICKS;
+        }
+      }
+    }
+  }
+
+  // halves caps until none touches another, the boundary, or a side with several cells
+  void separate()
+  {
+    for(bool has_changed = true; has_changed; )
+    {
+      has_changed = false;
+      set_rectangles();
+      mark_covered_cells();
+      for(Cap& cap : m_caps)
+        if(cap.level < m_settings.maximum_level && !has_single_neighbors(cap))
+        {
+          ++cap.level;
+          has_changed = true;
+        }
+    }
+  }
+
+  void mark_covered_cells()
+  {
+    m_is_covered.assign(m_complex.cells().size(), 0);
+    for(const Cap& cap : m_caps)
+      for(const Cap_sector& sector : cap.sectors)
+        for(std::size_t c : m_cells_of_quad[sector.quad])
+          if(contains(sector.rectangle, m_complex.cells()[c].rectangle))
+            ++m_is_covered[c];
+  }
+
+  bool has_single_neighbors(const Cap& cap) const
+  {
+    for(const Cap_sector& sector : cap.sectors)
+    {
+      for(std::size_t c : m_cells_of_quad[sector.quad])
+        if(contains(sector.rectangle, m_complex.cells()[c].rectangle) && m_is_covered[c] > 1)
+          return false;
+      for(int side = 0; side < 2; ++side)
+        if(!neighbor(sector, side).is_single)
+          return false;
+    }
+    return true;
+  }
+
+  struct Neighbor
+  {
+    bool is_single = false;
+    Cell_complex::Segment_use use = {NO_INDEX, 0}; // one of the segments, seen from inside
+  };
+
+  // the cell across the outer side u = 1 (0) or v = 1 (1) of a sector
+  Neighbor neighbor(const Cap_sector& sector, int outer_side) const
+  {
+    Neighbor result;
+    const int side = (sector.corner + 1 + outer_side) & 3;
+    const Tick_rectangle& r = sector.rectangle;
+    const int axis = (side + 1) & 1;
+    std::size_t only = NO_INDEX;
+    for(std::size_t c : m_cells_of_quad[sector.quad])
+    {
+      const Tick_rectangle& s = m_complex.cells()[c].rectangle;
+      const bool is_high = (side == 1 || side == 2);
+      if(!contains(r, s) || (is_high ? s.high[axis] != r.high[axis] : s.low[axis] != r.low[axis]))
+        continue;
+      for(const auto& use : m_complex.uses(c, side))
+      {
+        const std::size_t other = m_complex.across(use).cell;
+        if(other == NO_INDEX || (only != NO_INDEX && other != only)
+           || m_is_covered[other] > 0)
+          return Neighbor();
+        only = other;
+        result.use = use;
+      }
+    }
+    result.is_single = (only != NO_INDEX);
+    return result;
+  }
+
+  void compute(Cap& cap)
+  {
+    const int n = int(cap.sectors.size());
+    Eigen::MatrixXd data = Eigen::MatrixXd::Zero(n * (Cap_operator::RIBBON_DATA
+                                                      + Cap_operator::SAMPLES), 3);
+    for(int k = 0; k < n; ++k)
+    {
+      for(int side = 0; side < 2; ++side)
+        set_ribbon(cap.sectors[k], side, data, Cap_operator::RIBBON_DATA * k + 8 * side);
+      set_samples(cap.sectors[k], data, Cap_operator::RIBBON_DATA * n + Cap_operator::SAMPLES * k);
+    }
+    const Cap_operator& smooth = cap_operator(n, true);
+    Eigen::MatrixXd points = smooth(data);
+    cap.residual = smooth.residual(points, data);
+    // at the line of discontinuity of a corner the neighbours do not fit together
+    if(cap.residual > m_settings.equality && cap.level == m_settings.maximum_level)
+      points = cap_operator(n, false)(data);
+    for(int k = 0; k < n; ++k)
+      for(int i = 0; i < Cap_operator::POINTS; ++i)
+        cap.sectors[k].points[i] = points.row(Cap_operator::POINTS * k + i).transpose();
+    measure(cap, data);
+  }
+
+  bool is_good(const Cap& cap) const
+  {
+    return cap.residual <= m_settings.equality && cap.deviation <= m_settings.tolerance
+        && cap.is_regular;
+  }
+
+  const Cap_operator& cap_operator(int valence, bool is_smooth)
+  {
+    const auto key = std::make_pair(valence, is_smooth);
+    auto it = m_operators.find(key);
+    if(it == m_operators.end())
+      it = m_operators.emplace(key, Cap_operator(valence, is_smooth)).first;
+    return it->second;
+  }
+
+  // position and cross derivative of the neighbour; the unit of length is the side of the cap
+  void set_ribbon(const Cap_sector& sector, int side, Eigen::MatrixXd& data, int row) const
+  {
+    const Neighbor neighbor = this->neighbor(sector, side);
+    if(neighbor.use.segment == NO_INDEX)
+      return;
+    const auto& across = m_complex.across(neighbor.use);
+    const Cell& cell = m_complex.cells()[across.cell];
+    const Bicubic grid = rotated(cell.points, (4 - across.side) & 3);
+    const double size = double(sector.rectangle.extent(0));
+    const double along = double(cell.rectangle.extent(across.side & 1));
+    const double step = size / double(cell.rectangle.extent((across.side + 1) & 1));
+    const std::array<double, 2> range = ribbon_range(sector, side, neighbor.use, size / along);
+    for(int i = 0; i < 4; ++i)
+    {
+      const Blossom_arguments u = bezier_arguments(range[0], range[1], i);
+      const Eigen::Vector3d position = blossom(grid, u, {{0, 0, 0}});
+      const Eigen::Vector3d derivative = 3 * (blossom(grid, u, {{0, 0, step}}) - position);
+      data.row(row + i) = position.transpose();
+      data.row(row + 4 + i) = derivative.transpose();
+    }
+  }
+
+  // Where the side of the cap begins and ends on the side of the neighbour. The first outer side
+  // (v upwards) runs counter clockwise round the cap, hence clockwise round the neighbour, the
+  // second (u upwards) the other way round.
+  std::array<double, 2> ribbon_range(const Cap_sector& sector, int outer_side,
+                                     const Cell_complex::Segment_use& use, double length) const
+  {
+    const int side = (sector.corner + 1 + outer_side) & 3;
+    const Cell& inner = m_complex.cells()[m_complex.here(use).cell];
+    const auto& across = m_complex.across(use);
+    const int axis = side & 1;
+    const double offset = (side == 0 || side == 1)
+      ? double(inner.rectangle.low[axis] - sector.rectangle.low[axis])
+      : double(sector.rectangle.high[axis] - inner.rectangle.high[axis]);
+    const double unit = double(inner.rectangle.extent(axis)), size = double(
+      sector.rectangle.extent(axis));
+    // counter clockwise position of the segment's begin on the side of the cap, in sides of the cap
+    const double position = (offset + m_complex.here(use).first * unit) / size;
+    const double begin = across.last + position * length;
+    return (outer_side == 0) ? std::array<double, 2>{{begin, begin - length}}
+                             : std::array<double, 2>{{begin - length, begin}};
+  }
+
+  Eigen::Vector3d surface_point(const Cap_sector& sector, double u, double v) const
+  {
+    const double size = std::ldexp(double(sector.rectangle.extent(0)), -40);
+    double x = u * size, y = v * size;
+    for(int r = 0; r < sector.corner; ++r)
+    {
+      const double t = x;
+      x = 1 - y;
+      y = t;
+    }
+    return m_position(sector.patch, x, y);
+  }
+
+  void set_samples(const Cap_sector& sector, Eigen::MatrixXd& data, int row) const
+  {
+    for(int j = 0; j <= INTERVALS; ++j)
+      for(int i = 0; i <= INTERVALS; ++i, ++row)
+        data.row(row)
+          = surface_point(sector, i / double(INTERVALS), j / double(INTERVALS)).transpose();
+  }
+
+  // compares cap and surface at the samples, with the normals of the triangles between them
+  void measure(Cap& cap, const Eigen::MatrixXd& data) const
+  {
+    const int n = int(cap.sectors.size());
+    const Bernstein_table table;
+    cap.deviation = 0;
+    cap.is_regular = true;
+    for(int k = 0; k < n; ++k)
+    {
+      const int first = Cap_operator::RIBBON_DATA * n + Cap_operator::SAMPLES * k;
+      auto sample = [&data, first](int i, int j) -> Eigen::Vector3d
+      { return data.row(first + (INTERVALS + 1) * j + i).transpose(); };
+      for(int j = 0; j <= INTERVALS; ++j)
+        for(int i = 0; i <= INTERVALS; ++i)
+        {
+          const int i0 = (std::min)(i, INTERVALS - 1), j0 = (std::min)(j, INTERVALS - 1);
+          const Eigen::Vector3d normal = (sample(i0 + 1, j0 + 1) - sample(i0, j0))
+            .cross(sample(i0, j0 + 1) - sample(i0 + 1, j0)).normalized();
+          std::array<Eigen::Vector3d, 3> d;
+          table.evaluate(cap.sectors[k].points, i, j, d);
+          cap.deviation = (std::max)(cap.deviation, std::abs(normal.dot(d[0] - sample(i, j))));
+          cap.is_regular = cap.is_regular && normal.dot(d[1].cross(d[2])) > 0;
+        }
+    }
+  }
+
+  // values and derivatives of biquintic pieces at the samples
+  struct Bernstein_table
+  {
+    Eigen::MatrixXd value, derivative;
+
+    Bernstein_table() : value(INTERVALS + 1, 6), derivative(INTERVALS + 1, 6)
+    {
+      for(int i = 0; i <= INTERVALS; ++i)
+      {
+        value.row(i) = Cap_operator::bernstein(5, i / double(INTERVALS)).transpose();
+        Eigen::RowVectorXd lower(7);
+        lower << 0, Cap_operator::bernstein(4, i / double(INTERVALS)).transpose(), 0;
+        derivative.row(i) = 5 * (lower.head(6) - lower.tail(6));
+      }
+    }
+
+    void evaluate(const Biquintic& points, int i, int j, std::array<Eigen::Vector3d, 3>& d) const
+    {
+      d.fill(Eigen::Vector3d::Zero());
+      for(int b = 0; b < 6; ++b)
+        for(int a = 0; a < 6; ++a)
+        {
+          d[0] += value(i, a) * value(j, b) * points[6 * b + a];
+          d[1] += derivative(i, a) * value(j, b) * points[6 * b + a];
+          d[2] += value(i, a) * derivative(j, b) * points[6 * b + a];
+        }
+    }
+  };
+
+  const Cell_complex& m_complex;
+  const Position& m_position;
+  Settings m_settings;
+  std::vector<std::vector<std::size_t> > m_cells_of_quad;
+  std::vector<char> m_is_covered;
+  std::vector<Cap> m_caps;
+  std::map<std::pair<int, bool>, Cap_operator> m_operators;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_spline_conversion
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_CAPS_CAP_BUILDER_H

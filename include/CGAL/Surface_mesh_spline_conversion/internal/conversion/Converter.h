@@ -1,0 +1,282 @@
+// Copyright (c) 2026 the authors of the package Surface_mesh_spline_conversion.
+// All rights reserved.
+//
+// This file is part of the package Surface_mesh_spline_conversion, which is being
+// prepared for submission to CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+#ifndef CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_CONVERSION_CONVERTER_H
+#define CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_CONVERSION_CONVERTER_H
+
+#include <CGAL/license/Surface_mesh_spline_conversion.h>
+
+#include <CGAL/Surface_mesh_spline_conversion/Boundary_curve_network_3.h>
+#include <CGAL/Surface_mesh_spline_conversion/Conversion_report.h>
+#include <CGAL/Surface_mesh_spline_conversion/Error_code.h>
+#include <CGAL/Surface_mesh_spline_conversion/NURBS_shell_3.h>
+#include <CGAL/Surface_mesh_spline_conversion/Quad_layout.h>
+#include <CGAL/Surface_mesh_spline_conversion/Transfinite_patch_network_3.h>
+#include <CGAL/Surface_mesh_spline_conversion/compute_cross_field.h>
+#include <CGAL/Surface_mesh_spline_conversion/compute_integer_grid_map.h>
+#include <CGAL/Surface_mesh_spline_conversion/extract_NURBS_faces.h>
+#include <CGAL/Surface_mesh_spline_conversion/extract_quad_layout.h>
+#include <CGAL/Surface_mesh_spline_conversion/fit_boundary.h>
+#include <CGAL/Surface_mesh_spline_conversion/fit_interior.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/conversion/Mesh_component.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/conversion/conversion_options.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/conversion/merge_reports.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/named_parameters.h>
+#include <CGAL/Surface_mesh_spline_conversion/measure_deviation.h>
+
+#include <CGAL/Real_timer.h>
+#include <CGAL/T_NURCC_surface_3.h>
+#include <CGAL/boost/graph/helpers.h>
+
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_spline_conversion {
+namespace internal {
+
+// Runs the stages of the conversion on one connected component after the other.
+//
+// SizeMap: property map from the vertices of the mesh to the wanted size of the quads.
+template <typename TriangleMesh, typename VertexPointMap, typename BoundaryCurveTraits,
+          typename SizeMap, typename Surface, typename Visitor>
+class Converter
+{
+  typedef typename boost::property_traits<VertexPointMap>::value_type Point_3;
+  typedef typename Kernel_traits<Point_3>::Kernel Kernel;
+  typedef Boundary_curve_network_3<TriangleMesh, BoundaryCurveTraits> Network;
+  typedef Component_splitter<TriangleMesh, VertexPointMap, BoundaryCurveTraits> Splitter;
+  typedef typename Splitter::Component Component;
+  typedef typename Component::Mesh Component_mesh;
+  typedef Boundary_curve_network_3<Component_mesh, BoundaryCurveTraits> Component_network;
+  typedef Transfinite_patch_network_3<Kernel, Component_mesh, BoundaryCurveTraits> Target;
+
+public:
+  Converter(const TriangleMesh& tm, const VertexPointMap& vpm, const Network& network,
+            const SizeMap& size_map, const Conversion_options& options, Visitor& visitor,
+            std::vector<Surface>& surfaces, Conversion_report& report)
+    : m_tm(tm), m_vpm(vpm), m_network(network), m_size_map(size_map), m_options(options)
+    , m_visitor(visitor), m_surfaces(surfaces), m_report(report)
+  {}
+
+  // `curves`: the property map of the curve segments of the halfedges
+  template <typename HalfedgeCurveMap>
+  Error_code operator()(const HalfedgeCurveMap& curves)
+  {
+    const Splitter splitter(m_tm, m_vpm);
+    describe_input(splitter.number_of_components());
+    Error_code result = Error_code::OK;
+    for(std::size_t i = 0; i < splitter.number_of_components(); ++i)
+    {
+      Component component;
+      splitter.copy(i, curves, [&](auto v) { return m_network.is_corner(v); },
+                    [&](auto v) { return CGAL::to_double(get(m_size_map, v)); }, component);
+      Conversion_report part;
+      const Error_code code = convert(component, part);
+      merge_reports(part, m_report);
+      if(code != Error_code::OK)
+        result = code;
+      if(code != Error_code::OK && code != Error_code::TOLERANCE_NOT_REACHED)
+      {
+        m_report.message = in_component(i, splitter.number_of_components(), part.message);
+        break;
+      }
+    }
+    return result;
+  }
+
+private:
+  void describe_input(std::size_t number_of_components)
+  {
+    Conversion_report::Input& input = m_report.input;
+    input.vertices = num_vertices(m_tm);
+    input.triangles = num_faces(m_tm);
+    input.components = number_of_components;
+    input.loops = m_network.number_of_loops();
+    for(const auto v : vertices(m_tm))
+      if(m_network.is_corner(v))
+        ++input.corners;
+    std::ptrdiff_t border_halfedges = 0;
+    for(const auto h : halfedges(m_tm))
+      if(is_border(h, m_tm))
+        ++border_halfedges;
+    const std::ptrdiff_t vertices = num_vertices(m_tm), faces = num_faces(m_tm);
+    const std::ptrdiff_t euler_characteristic = vertices - (3 * faces + border_halfedges) / 2 + faces;
+    input.genus = (2 * std::ptrdiff_t(number_of_components) - std::ptrdiff_t(input.loops)
+                   - euler_characteristic) / 2;
+    input.diameter = CGAL::to_double(m_network.diameter());
+  }
+
+  static std::string in_component(std::size_t i, std::size_t n, const std::string& message)
+  {
+    return n == 1 ? message
+                  : "component " + std::to_string(i + 1) + " of " + std::to_string(n) + ": " + message;
+  }
+
+  // runs a stage between the calls of the visitor, and measures its time.
+  template <typename Stage>
+  Error_code run(const std::string& name, Conversion_report& part, Stage stage)
+  {
+    if(!m_visitor.go_further())
+    {
+      part.message = "the visitor interrupted the conversion before the stage '" + name + "'";
+      return Error_code::INTERRUPTED;
+    }
+    m_visitor.on_stage_begin(name);
+    Real_timer timer;
+    timer.start();
+    const Error_code code = stage();
+    part.add_time(name, timer.time());
+    m_visitor.on_stage_end(name, timer.time());
+    if(code != Error_code::OK && part.message.empty())
+      part.message = "stage '" + name + "': " + error_message(code);
+    return code;
+  }
+
+  Error_code convert(Component& component, Conversion_report& part)
+  {
+    const Component_network network(component.mesh, component.segments, m_network.traits(),
+                                    parameters::corner_angle(m_options.corner_angle)
+                                      .vertex_is_constrained_map(component.corners));
+    if(network.error() != Error_code::OK)
+    {
+      part.message = network.message();
+      return network.error();
+    }
+    Quad_layout<Kernel> layout;
+    const Error_code code = compute_layout(component, network, layout, part);
+    return code == Error_code::OK ? fit(component, network, layout, part) : code;
+  }
+
+  // the stages before the surface: field, map and layout
+  Error_code compute_layout(const Component& component, const Component_network& network,
+                            Quad_layout<Kernel>& layout, Conversion_report& part)
+  {
+    Cross_field field;
+    Integer_grid_map map;
+    Error_code code = run("cross_field", part, [&]()
+      {
+        return compute_cross_field(component.mesh, network, field,
+                                   parameters::quad_size_map(component.sizes));
+      });
+    if(code == Error_code::OK)
+      code = run("integer_grid_map", part, [&]() { return compute_integer_grid_map(field, map); });
+    if(code != Error_code::OK && !map.message.empty())
+      part.message = map.message;
+    else if(code == Error_code::OK && !map.is_resolved)
+      part.map.fallback = "rectangle composition: " + map.message;
+    if(code == Error_code::OK)
+      code = run("quad_layout", part, [&]()
+        { return extract_quad_layout(map, component.mesh, network, layout); });
+    part.counts.layout_quads = layout.number_of_quads();
+    return code;
+  }
+
+  // the surface stages; the surface is kept if a tolerance is missed.
+  Error_code fit(const Component& component, const Component_network& network,
+                 const Quad_layout<Kernel>& layout, Conversion_report& part)
+  {
+    const Target target(layout, network, component.mesh);
+    Surface surface(layout);
+    if(surface.error() != Error_code::OK)
+    {
+      part.message = surface.message();
+      return surface.error();
+    }
+    const auto np = parameters::boundary_tolerance(m_options.boundary_tolerance)
+                      .interior_tolerance(m_options.interior_tolerance)
+                      .error_metric(m_options.error_metric)
+                      .maximum_number_of_patches(m_options.maximum_number_of_patches)
+                      .visitor(std::ref(m_visitor));
+    Error_code result = run("fit_boundary", part, [&]()
+      { return fit_boundary(surface, target, part, np); });
+    if(is_surface(result))
+    {
+      const Error_code code = run("fit_interior", part, [&]()
+        { return fit_interior(surface, target, part, np); });
+      result = (code == Error_code::OK) ? result : code;
+    }
+    if(!is_surface(result))
+      return result;
+    count(surface, part);
+    const Error_code code = run("measure_deviation", part, [&]()
+      { return measure(surface, component, network, part); });
+    m_surfaces.push_back(std::move(surface));
+    return code == Error_code::OK ? result : code;
+  }
+
+  // measures the surface as it leaves for a CAD system, caps included.
+  Error_code measure(const Surface& surface, const Component& component,
+                     const Component_network& network, Conversion_report& part)
+  {
+    const auto tolerance = parameters::interior_tolerance(m_options.interior_tolerance);
+    NURBS_shell_3<Kernel> shell;
+    extract_NURBS_faces(surface, shell, tolerance);
+    Deviation<Kernel> deviation;
+    measure_deviation(shell, component.mesh, network, deviation, tolerance);
+    part.boundary.max_deviation = CGAL::to_double(deviation.boundary_maximum);
+    part.boundary.mean_deviation = CGAL::to_double(deviation.boundary_mean);
+    part.boundary.worst_curve = deviation.worst_chain;
+    part.boundary.worst_parameter = CGAL::to_double(deviation.worst_arc_length);
+    part.boundary.max_corner_error = CGAL::to_double(deviation.corner_maximum);
+    part.interior.max_deviation = CGAL::to_double(deviation.interior_maximum);
+    part.interior.mean_deviation = CGAL::to_double(deviation.interior_mean);
+    part.interior.fraction_within_delta = CGAL::to_double(deviation.fraction_within);
+    for(int i = 0; i < 3; ++i)
+      part.interior.worst[i] = CGAL::to_double(deviation.interior_worst[i]);
+    part.smoothness.max_normal_angle_degrees = CGAL::to_double(deviation.normal_angle_maximum);
+    part.counts.nurbs_faces = shell.number_of_faces();
+    return check_deviation(deviation, part);
+  }
+
+  // The fits have the last word on the tolerances of the surface; this is the independent one.
+  Error_code check_deviation(const Deviation<Kernel>& deviation, Conversion_report& part) const
+  {
+    if(part.boundary.max_deviation > m_options.boundary_tolerance)
+      part.message = "the boundary of the surface is farther from the curves than the tolerance";
+    else if(part.interior.max_deviation > m_options.interior_tolerance)
+      part.message = "the surface is farther from the mesh than the tolerance";
+    else if(deviation.faces_against_mesh > 0)
+      part.message = "the surface is folded over: a face looks the other way than the mesh";
+    else
+      return Error_code::OK;
+    return Error_code::TOLERANCE_NOT_REACHED;
+  }
+
+  static void count(const Surface& surface, Conversion_report& part)
+  {
+    part.counts.patches = surface.number_of_patches();
+    part.counts.control_points = surface.number_of_control_points();
+    part.counts.extraordinary_points = surface.number_of_extraordinary_points();
+    part.counts.t_junctions = surface.number_of_t_junctions();
+    part.counts.bezier_elements = surface.bezier_elements(1).size();
+  }
+
+  static bool is_surface(Error_code code)
+  {
+    return code == Error_code::OK || code == Error_code::TOLERANCE_NOT_REACHED;
+  }
+
+  const TriangleMesh& m_tm;
+  VertexPointMap m_vpm;
+  const Network& m_network;
+  SizeMap m_size_map;
+  Conversion_options m_options;
+  Visitor& m_visitor;
+  std::vector<Surface>& m_surfaces;
+  Conversion_report& m_report;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_spline_conversion
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_CONVERSION_CONVERTER_H

@@ -1,0 +1,135 @@
+// Copyright (c) 2026 the authors of the package Surface_mesh_spline_conversion.
+// All rights reserved.
+//
+// This file is part of the package Surface_mesh_spline_conversion, which is being
+// prepared for submission to CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+#ifndef CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_CONVERSION_CONVERSION_OPTIONS_H
+#define CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_CONVERSION_CONVERSION_OPTIONS_H
+
+#include <CGAL/license/Surface_mesh_spline_conversion.h>
+
+#include <CGAL/Surface_mesh_spline_conversion/Conversion_report.h>
+#include <CGAL/Surface_mesh_spline_conversion/Error_code.h>
+#include <CGAL/Surface_mesh_spline_conversion/Error_metric.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/fitting/fit_parameters.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/named_parameters.h>
+
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/property_map.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+
+namespace CGAL {
+namespace Surface_mesh_spline_conversion {
+namespace internal {
+
+// What the user may choose, in model units.
+struct Conversion_options
+{
+  double boundary_tolerance;
+  double interior_tolerance;
+  double corner_angle; // in degrees
+  Error_metric error_metric;
+  std::size_t maximum_number_of_patches;
+};
+
+inline Error_code fail(Error_code code, const std::string& message, Conversion_report& report)
+{
+  report.status = code;
+  report.message = message;
+  return code;
+}
+
+template <typename NamedParameters>
+double corner_angle_or_default(const NamedParameters& np)
+{
+  const double default_corner_angle = 0.5;
+  return CGAL::to_double(parameters::choose_parameter(
+    parameters::get_parameter(np, internal_np::corner_angle), default_corner_angle));
+}
+
+// reads the tolerances; a tolerance that is not positive is an error of the report.
+template <typename NamedParameters>
+Conversion_options conversion_options(const NamedParameters& np, double diameter,
+                                      double corner_angle, Conversion_report& report)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+
+  Conversion_options options;
+  options.boundary_tolerance
+    = CGAL::to_double(choose_parameter(get_parameter(np, internal_np::boundary_tolerance),
+                                       default_relative_boundary_tolerance * diameter));
+  options.interior_tolerance
+    = CGAL::to_double(choose_parameter(get_parameter(np, internal_np::interior_tolerance),
+                                       default_relative_interior_tolerance * diameter));
+  options.corner_angle = corner_angle;
+  options.error_metric = choose_parameter(get_parameter(np, internal_np::error_metric),
+                                          Error_metric::REPROJECTED);
+  options.maximum_number_of_patches = maximum_number_of_patches(np);
+  report.boundary_tolerance = options.boundary_tolerance;
+  report.interior_tolerance = options.interior_tolerance;
+  for(const double tolerance : {options.boundary_tolerance, options.interior_tolerance})
+    if(!(tolerance > 0) || !std::isfinite(tolerance))
+      fail(Error_code::INVALID_PARAMETER, "a tolerance is not a positive number", report);
+  return options;
+}
+
+template <typename TriangleMesh, typename VertexPointMap>
+double mean_edge_length(const TriangleMesh& tm, const VertexPointMap& vpm)
+{
+  double sum = 0;
+  for(const auto h : halfedges(tm))
+    sum += std::sqrt(CGAL::to_double(
+      CGAL::squared_distance(get(vpm, source(h, tm)), get(vpm, target(h, tm)))));
+  return sum / double(num_halfedges(tm));
+}
+
+// below one mean edge a quad would copy the facets
+inline void check_quad_size(double size, double mean_edge, Conversion_report& report)
+{
+  report.quad_size = size;
+  if(size < mean_edge)
+    report.warnings.push_back("the quad size is below the mean edge length of the mesh: the surface "
+                              "may copy the facets");
+}
+
+// the size that the user gave as a number or map, or the default
+template <typename TriangleMesh, typename VertexPointMap, typename Size>
+auto quad_size_map(const TriangleMesh& tm, const VertexPointMap& vpm, double, const Size& size,
+                   Conversion_report& report)
+{
+  typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex_descriptor;
+  if constexpr(std::is_arithmetic<Size>::value)
+  {
+    check_quad_size(double(size), mean_edge_length(tm, vpm), report);
+    return Constant_property_map<vertex_descriptor, double>(double(size));
+  }
+  else
+    return size;
+}
+
+template <typename TriangleMesh, typename VertexPointMap>
+auto quad_size_map(const TriangleMesh& tm, const VertexPointMap& vpm, double diameter,
+                   internal_np::Param_not_found, Conversion_report& report)
+{
+  typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex_descriptor;
+  const double quads_per_diameter = 40, edges_per_quad = 2;
+  report.quad_size = (std::max)(diameter / quads_per_diameter,
+                                edges_per_quad * mean_edge_length(tm, vpm));
+  return Constant_property_map<vertex_descriptor, double>(report.quad_size);
+}
+
+} // namespace internal
+} // namespace Surface_mesh_spline_conversion
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_CONVERSION_CONVERSION_OPTIONS_H

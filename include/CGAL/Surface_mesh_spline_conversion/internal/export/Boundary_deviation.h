@@ -1,0 +1,290 @@
+// Copyright (c) 2026 the authors of the package Surface_mesh_spline_conversion.
+// All rights reserved.
+//
+// This file is part of the package Surface_mesh_spline_conversion, which is being
+// prepared for submission to CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+#ifndef CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_EXPORT_BOUNDARY_DEVIATION_H
+#define CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_EXPORT_BOUNDARY_DEVIATION_H
+
+#include <CGAL/license/Surface_mesh_spline_conversion.h>
+
+#include <CGAL/Surface_mesh_spline_conversion/NURBS_shell_3.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/export/Deviation_statistics.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/export/Point_index.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/export/bezier_pieces.h>
+
+#include <CGAL/number_utils.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_spline_conversion {
+namespace internal {
+
+/// A set of curves with samples, on which points are projected. `Curves` offers `size()`,
+/// `number_of_intervals(i)`, `point(i,t)` and `derivative(i,t)` for t in [0,1].
+template <typename Curves>
+class Curve_projector
+{
+public:
+  struct Foot
+  {
+    double distance = (std::numeric_limits<double>::infinity)();
+    std::size_t curve = 0;
+    double parameter = 0;
+  };
+
+  explicit Curve_projector(const Curves& curves) : m_curves(curves)
+  {
+    for(std::size_t i = 0; i < curves.size(); ++i)
+      for(int k = 0; k <= curves.number_of_intervals(i); ++k)
+      {
+        const double t = k / double(curves.number_of_intervals(i));
+        m_samples.push_back({i, t});
+        m_points.push_back(curves.point(i, t));
+      }
+    m_index = std::make_unique<Point_index>(m_points);
+  }
+
+  const std::vector<Eigen::Vector3d>& points() const { return m_points; }
+
+  Foot project(const Eigen::Vector3d& p) const
+  {
+    Foot best;
+    for(std::size_t i : m_index->nearest(p, NUMBER_OF_STARTS))
+    {
+      const Foot foot = project_from(p, m_samples[i].curve, m_samples[i].parameter);
+      if(foot.distance < best.distance)
+        best = foot;
+    }
+    return best;
+  }
+
+  /// the samples at the ends of intervals of curve `i`: where they begin in `points()`
+  struct Sample
+  {
+    std::size_t curve;
+    double parameter;
+  };
+
+  const std::vector<Sample>& samples() const { return m_samples; }
+
+private:
+  // more than one, as the foot may lie on the curve next to that of the nearest sample
+  static constexpr unsigned int NUMBER_OF_STARTS = 4;
+  static constexpr int MAXIMUM_NUMBER_OF_STEPS = 24;
+  static constexpr double NEGLIGIBLE_STEP = 1e-12; // of the parameter
+
+  Foot project_from(const Eigen::Vector3d& p, std::size_t curve, double t) const
+  {
+    double distance = (m_curves.point(curve, t) - p).norm();
+    for(int step = 0; step < MAXIMUM_NUMBER_OF_STEPS; ++step)
+    {
+      const Eigen::Vector3d d = m_curves.derivative(curve, t);
+      double delta = (p - m_curves.point(curve, t)).dot(d) / d.squaredNorm();
+      bool has_improved = false;
+      for(int halving = 0; halving < 4 && !has_improved; ++halving, delta /= 2)
+      {
+        const double next = (std::min)(1., (std::max)(0., t + delta));
+        const double next_distance = (m_curves.point(curve, next) - p).norm();
+        if(!(next_distance < distance))
+          continue;
+        has_improved = std::abs(next - t) > NEGLIGIBLE_STEP;
+        t = next;
+        distance = next_distance;
+      }
+      if(!has_improved)
+        break;
+    }
+    Foot foot;
+    foot.distance = distance;
+    foot.curve = curve;
+    foot.parameter = t;
+    return foot;
+  }
+
+  const Curves& m_curves;
+  std::vector<Sample> m_samples;
+  std::vector<Eigen::Vector3d> m_points;
+  std::unique_ptr<Point_index> m_index;
+};
+
+/// the curves of the boundary edges of a mesh
+template <typename Network>
+class Network_curves
+{
+public:
+  explicit Network_curves(const Network& network) : m_network(network)
+  {
+    for(std::size_t c = 0; c < network.number_of_chains(); ++c)
+      for(std::size_t e = 0; e < network.chain_halfedges(c).size(); ++e)
+        m_edges.push_back({c, e});
+  }
+
+  std::size_t size() const { return m_edges.size(); }
+
+  int number_of_intervals(std::size_t) const { return 8; }
+
+  std::size_t chain(std::size_t i) const { return m_edges[i].chain; }
+
+  double arc_length(std::size_t i, double t) const
+  {
+    return CGAL::to_double(m_network.arc_length(m_edges[i].chain, m_edges[i].index,
+                                                parameter(i, t)));
+  }
+
+  Eigen::Vector3d point(std::size_t i, double t) const
+  {
+    return to_eigen(m_network.traits().construct_point_on_curve_3_object()(segment(i).curve,
+                                                                          parameter(i, t)));
+  }
+
+  Eigen::Vector3d derivative(std::size_t i, double t) const
+  {
+    const auto d = m_network.traits().construct_derivative_on_curve_3_object();
+    return CGAL::to_double(segment(i).second - segment(i).first)
+         * to_eigen(d(segment(i).curve, parameter(i, t), 1));
+  }
+
+private:
+  typedef typename Network::FT FT;
+
+  struct Edge
+  {
+    std::size_t chain;
+    std::size_t index;
+  };
+
+  const typename Network::Curve_segment& segment(std::size_t i) const
+  {
+    return m_network.curve_segment(m_edges[i].chain, m_edges[i].index);
+  }
+
+  FT parameter(std::size_t i, double t) const
+  {
+    return segment(i).first + (segment(i).second - segment(i).first) * FT(t);
+  }
+
+  const Network& m_network;
+  std::vector<Edge> m_edges;
+};
+
+/// the curves of the boundary edges of a shell
+template <typename K>
+class Shell_border_curves
+{
+public:
+  explicit Shell_border_curves(const NURBS_shell_3<K>& shell) : m_shell(shell)
+  {
+    for(std::size_t e = 0; e < shell.number_of_edges(); ++e)
+      if(shell.is_border(e))
+        m_edges.push_back(e);
+  }
+
+  std::size_t size() const { return m_edges.size(); }
+
+  int number_of_intervals(std::size_t i) const { return 16 * int(curve(i).knots.number_of_spans()); }
+
+  Eigen::Vector3d point(std::size_t i, double t) const
+  {
+    return to_eigen(curve(i).point(parameter(i, t)));
+  }
+
+  Eigen::Vector3d derivative(std::size_t i, double t) const
+  {
+    return CGAL::to_double(curve(i).last() - curve(i).first())
+         * to_eigen(curve(i).derivative(parameter(i, t), 1));
+  }
+
+private:
+  const B_spline_curve_3<K>& curve(std::size_t i) const { return m_shell.edge(m_edges[i]).curve; }
+
+  typename K::FT parameter(std::size_t i, double t) const
+  {
+    return curve(i).first() + (curve(i).last() - curve(i).first()) * typename K::FT(t);
+  }
+
+  const NURBS_shell_3<K>& m_shell;
+  std::vector<std::size_t> m_edges;
+};
+
+struct Boundary_deviation
+{
+  Deviation_statistics statistics;
+  std::size_t chain = 0;   ///< where it is largest
+  double arc_length = 0;
+  double corner = 0;       ///< largest distance of a corner from a vertex of the boundary
+};
+
+/// compares the boundary of a shell with that of a mesh, in both directions
+template <typename K, typename Network>
+Boundary_deviation boundary_deviation(const NURBS_shell_3<K>& shell, const Network& network)
+{
+  Boundary_deviation result;
+  if(network.number_of_chains() == 0)
+    return result;
+  const Network_curves<Network> curves(network);
+  const Shell_border_curves<K> border(shell);
+  const Curve_projector<Network_curves<Network> > on_curves(curves);
+  const Curve_projector<Shell_border_curves<K> > on_border(border);
+  for(const Eigen::Vector3d& p : on_border.points())
+  {
+    const auto foot = on_curves.project(p);
+    if(result.statistics.add(foot.distance, p))
+    {
+      result.chain = curves.chain(foot.curve);
+      result.arc_length = curves.arc_length(foot.curve, foot.parameter);
+    }
+  }
+  for(std::size_t i = 0; i < on_curves.points().size(); ++i)
+  {
+    const Eigen::Vector3d& p = on_curves.points()[i];
+    if(result.statistics.add(on_border.project(p).distance, p))
+    {
+      const auto& sample = on_curves.samples()[i];
+      result.chain = curves.chain(sample.curve);
+      result.arc_length = curves.arc_length(sample.curve, sample.parameter);
+    }
+  }
+  return result;
+}
+
+/// the largest distance of a corner of the mesh from the nearest vertex on the boundary of the shell
+template <typename K, typename TriangleMesh, typename VertexPointMap, typename Network>
+double corner_deviation(const NURBS_shell_3<K>& shell, const TriangleMesh& tm,
+                        const VertexPointMap& vpm, const Network& network)
+{
+  std::vector<Eigen::Vector3d> points;
+  for(std::size_t e = 0; e < shell.number_of_edges(); ++e)
+    if(shell.is_border(e))
+      for(std::size_t v : {shell.edge(e).source, shell.edge(e).target})
+        points.push_back(to_eigen(shell.point(v)));
+  const Point_index index(points);
+  double result = 0;
+  for(std::size_t l = 0; l < network.number_of_loops(); ++l)
+    for(auto h : network.loop(l))
+      if(network.is_corner(source(h, tm)))
+      {
+        const Eigen::Vector3d p = to_eigen(get(vpm, source(h, tm)));
+        const std::vector<std::size_t> nearest = index.nearest(p, 1);
+        result = (std::max)(result, nearest.empty() ? (std::numeric_limits<double>::infinity)()
+                                                    : (points[nearest[0]] - p).norm());
+      }
+  return result;
+}
+
+} // namespace internal
+} // namespace Surface_mesh_spline_conversion
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_EXPORT_BOUNDARY_DEVIATION_H

@@ -1,0 +1,218 @@
+// Copyright (c) 2026 the authors of the package Surface_mesh_spline_conversion.
+// All rights reserved.
+//
+// This file is part of the package Surface_mesh_spline_conversion, which is being
+// prepared for submission to CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+#ifndef CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_EXPORT_INTERIOR_DEVIATION_H
+#define CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_EXPORT_INTERIOR_DEVIATION_H
+
+#include <CGAL/license/Surface_mesh_spline_conversion.h>
+
+#include <CGAL/Surface_mesh_spline_conversion/internal/export/Deviation_statistics.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/export/Mesh_distance.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/export/Point_index.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/export/bezier_pieces.h>
+
+#include <CGAL/boost/graph/iterator.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_spline_conversion {
+namespace internal {
+
+/// Distances between the pieces of a surface and a mesh in both directions. Near the boundary, where
+/// the mesh has chords and the surface has curves, only what exceeds the chord gap counts.
+class Interior_deviation
+{
+public:
+  /// width of the band along the boundary in mean edge lengths
+  static constexpr double BAND = 3;
+
+  /// \param bound deviations up to it count as within the tolerance
+  Interior_deviation(const std::vector<Bezier_piece>& pieces, const Mesh_distance& mesh,
+                     double bound)
+    : m_pieces(pieces), m_mesh(mesh)
+  {
+    m_statistics.bound = bound;
+    for(std::size_t i = 0; i < pieces.size(); ++i)
+      sample_piece(i);
+    climb();
+  }
+
+  /// adds the distances of the vertices and face centres of the mesh from the surface
+  template <typename TriangleMesh, typename VertexPointMap>
+  void add_mesh(const TriangleMesh& tm, const VertexPointMap& vpm)
+  {
+    const Point_index index(m_points);
+    for(auto v : vertices(tm))
+      add_mesh_point(index, to_eigen(get(vpm, v)));
+    for(auto f : faces(tm))
+    {
+      Eigen::Vector3d center = Eigen::Vector3d::Zero();
+      for(auto v : vertices_around_face(halfedge(f, tm), tm))
+        center += to_eigen(get(vpm, v)) / 3;
+      add_mesh_point(index, center);
+    }
+  }
+
+  const Deviation_statistics& statistics() const { return m_statistics; }
+
+  /// the number of faces that look against the mesh at most of their samples
+  std::size_t number_of_faces_against_mesh() const
+  {
+    std::size_t n = 0;
+    for(const auto& entry : m_facing)
+      if(entry.second < 0)
+        ++n;
+    return n;
+  }
+
+private:
+  static constexpr int MINIMUM_NUMBER_OF_INTERVALS = 4;
+  static constexpr int MAXIMUM_NUMBER_OF_INTERVALS = 64;
+  static constexpr unsigned int NUMBER_OF_STARTS = 6;
+  static constexpr std::size_t NUMBER_OF_CLIMBS = 24;
+
+  struct Sample
+  {
+    std::size_t piece;
+    double u;
+    double v;
+  };
+
+  // so many intervals that samples are as dense as the vertices of the mesh; an even number
+  int number_of_intervals(double length) const
+  {
+    const double n = std::ceil(length / m_mesh.mean_edge_length() / 2) * 2;
+    return int((std::min)(double(MAXIMUM_NUMBER_OF_INTERVALS),
+                          (std::max)(double(MINIMUM_NUMBER_OF_INTERVALS), n)));
+  }
+
+  double length(const Bezier_piece& piece, int axis) const
+  {
+    double result = 0;
+    Eigen::Vector3d last;
+    for(int i = 0; i <= 4; ++i)
+    {
+      const double t = i / 4.;
+      const Eigen::Vector3d p = (axis == 0) ? piece.point(t, 0.5) : piece.point(0.5, t);
+      if(i > 0)
+        result += (p - last).norm();
+      last = p;
+    }
+    return result;
+  }
+
+  // grid points and, as a mesh of the same spacing could hide its chords, the centres between them
+  void sample_piece(std::size_t i)
+  {
+    const Bezier_piece& piece = m_pieces[i];
+    const int nu = number_of_intervals(length(piece, 0)), nv = number_of_intervals(length(piece, 1));
+    for(int b = 0; b <= 2 * nv; ++b)
+      for(int a = b & 1; a <= 2 * nu; a += 2)
+        add_sample({i, a / (2. * nu), b / (2. * nv)}, a & 1);
+  }
+
+  void add_sample(const Sample& sample, bool is_center)
+  {
+    const Bezier_piece& piece = m_pieces[sample.piece];
+    const auto d = is_center ? piece.point_and_tangents(sample.u, sample.v)
+                 : Bezier_piece::Point_and_tangents{{piece.point(sample.u, sample.v)}};
+    const Mesh_distance::Foot foot = m_mesh.foot(d[0], m_hint);
+    m_samples.push_back(sample);
+    m_points.push_back(d[0]);
+    m_deviations.push_back(excess(d[0], foot.distance));
+    m_statistics.add(m_deviations.back(), d[0]);
+    if(is_center)
+      m_facing[piece.face] += (d[1].cross(d[2]).dot(foot.normal) >= 0) ? 1 : -1;
+  }
+
+  double excess(const Eigen::Vector3d& p, double distance) const
+  {
+    double gap;
+    const bool is_inside = m_mesh.boundary_distance(p, gap) > BAND * m_mesh.mean_edge_length();
+    return is_inside ? distance : (std::max)(0., distance - gap);
+  }
+
+  // walks uphill from the largest samples, so that the maximum does not hang on the grid
+  void climb()
+  {
+    std::vector<std::size_t> order(m_samples.size());
+    for(std::size_t i = 0; i < order.size(); ++i)
+      order[i] = i;
+    const std::size_t n = (std::min)(NUMBER_OF_CLIMBS, order.size());
+    std::partial_sort(order.begin(), order.begin() + std::ptrdiff_t(n), order.end(),
+                      [this](std::size_t a, std::size_t b)
+                      { return std::make_pair(-m_deviations[a], a)
+                             < std::make_pair(-m_deviations[b], b); });
+    for(std::size_t i = 0; i < n; ++i)
+      climb_from(m_samples[order[i]], m_deviations[order[i]]);
+  }
+
+  void climb_from(Sample sample, double deviation)
+  {
+    constexpr double FIRST_STEP = 1. / 8, LAST_STEP = 1e-5; // of the parameters
+    const Bezier_piece& piece = m_pieces[sample.piece];
+    Eigen::Vector3d worst = piece.point(sample.u, sample.v);
+    for(double step = FIRST_STEP; step > LAST_STEP; step /= 2)
+      for(int direction = 0; direction < 4; ++direction)
+      {
+        const double sign = (direction < 2) ? step : -step;
+        const double u = clamped(sample.u + ((direction & 1) ? sign : 0));
+        const double v = clamped(sample.v + ((direction & 1) ? 0 : sign));
+        const Eigen::Vector3d p = piece.point(u, v);
+        const double next = excess(p, m_mesh.foot(p, m_hint).distance);
+        if(!(next > deviation))
+          continue;
+        sample = {sample.piece, u, v};
+        deviation = next;
+        worst = p;
+      }
+    if(deviation > m_statistics.maximum)
+    {
+      m_statistics.maximum = deviation;
+      m_statistics.worst = worst;
+    }
+  }
+
+  static double clamped(double t) { return (std::min)(1., (std::max)(0., t)); }
+
+  void add_mesh_point(const Point_index& index, const Eigen::Vector3d& p)
+  {
+    double distance = (std::numeric_limits<double>::infinity)();
+    for(std::size_t i : index.nearest(p, NUMBER_OF_STARTS))
+    {
+      const Sample& sample = m_samples[i];
+      double u = sample.u, v = sample.v;
+      distance = (std::min)(distance, project_to_piece(m_pieces[sample.piece], p, u, v));
+    }
+    m_statistics.add(excess(p, distance), p);
+  }
+
+  const std::vector<Bezier_piece>& m_pieces;
+  const Mesh_distance& m_mesh;
+  std::size_t m_hint = 0;
+  std::vector<Sample> m_samples;
+  std::vector<Eigen::Vector3d> m_points;
+  std::vector<double> m_deviations;
+  std::map<std::size_t, long> m_facing; // by face
+  Deviation_statistics m_statistics;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_spline_conversion
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_EXPORT_INTERIOR_DEVIATION_H

@@ -1,0 +1,170 @@
+// Copyright (c) 2026 the authors of the package Surface_mesh_spline_conversion.
+// All rights reserved.
+//
+// This file is part of the package Surface_mesh_spline_conversion, which is being
+// prepared for submission to CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+#ifndef CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_EXPORT_MESH_DISTANCE_H
+#define CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_EXPORT_MESH_DISTANCE_H
+
+#include <CGAL/license/Surface_mesh_spline_conversion.h>
+
+#include <CGAL/Surface_mesh_spline_conversion/internal/compatibility.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/export/bezier_pieces.h>
+
+#include <CGAL/AABB_segment_primitive.h>
+#include <CGAL/AABB_tree.h>
+#include <CGAL/AABB_triangle_primitive.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/iterator.h>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_spline_conversion {
+namespace internal {
+
+/// Distances from a triangle mesh and from its boundary. Along the boundary the mesh has chords
+/// where the surface has curves: this *chord gap* is known for each boundary edge.
+class Mesh_distance
+{
+  typedef CGAL::Simple_cartesian<double> Kernel;
+  typedef std::vector<Kernel::Triangle_3> Triangles;
+  typedef std::vector<Kernel::Segment_3> Segments;
+  typedef CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator> Triangle_primitive;
+  typedef CGAL::AABB_segment_primitive<Kernel, Segments::const_iterator> Segment_primitive;
+  typedef CGAL::AABB_tree<AABB_traits_3<Kernel, Triangle_primitive> > Triangle_tree;
+  typedef CGAL::AABB_tree<AABB_traits_3<Kernel, Segment_primitive> > Segment_tree;
+
+public:
+  struct Foot
+  {
+    double distance;
+    Eigen::Vector3d normal; ///< of the triangle, not of unit length
+  };
+
+  template <typename TriangleMesh, typename VertexPointMap, typename Network>
+  Mesh_distance(const TriangleMesh& tm, const VertexPointMap& vpm, const Network& network)
+  {
+    double sum = 0;
+    for(auto f : faces(tm))
+    {
+      std::vector<Kernel::Point_3> p;
+      for(auto v : vertices_around_face(halfedge(f, tm), tm))
+        p.push_back(point(to_eigen(get(vpm, v))));
+      m_triangles.emplace_back(p[0], p[1], p[2]);
+      for(int i = 0; i < 3; ++i)
+        sum += std::sqrt(CGAL::squared_distance(p[i], p[(i + 1) % 3]));
+    }
+    m_mean_edge_length = m_triangles.empty() ? 0 : sum / (3. * double(m_triangles.size()));
+    for(std::size_t l = 0; l < network.number_of_loops(); ++l)
+      add_loop(tm, vpm, network, network.loop(l));
+    m_triangle_tree.insert(m_triangles.begin(), m_triangles.end());
+    m_triangle_tree.build();
+    m_segment_tree.insert(m_segments.begin(), m_segments.end());
+    m_segment_tree.build();
+  }
+
+  Mesh_distance(const Mesh_distance&) = delete;
+  Mesh_distance& operator=(const Mesh_distance&) = delete;
+
+  double mean_edge_length() const { return m_mean_edge_length; }
+
+  /// `hint` makes queries fast that are close to each other; it is updated
+  Foot foot(const Eigen::Vector3d& p, std::size_t& hint) const
+  {
+    const Triangles::const_iterator begin = m_triangles.begin();
+    const auto start = Triangle_tree::Point_and_primitive_id(
+      begin[hint][0], begin + std::ptrdiff_t(hint));
+    const auto closest = m_triangle_tree.closest_point_and_primitive(point(p), start);
+    hint = std::size_t(closest.second - begin);
+    const Kernel::Triangle_3& t = m_triangles[hint];
+    const Eigen::Vector3d a = to_eigen(t[0]);
+    return {(to_eigen(closest.first) - p).norm(),
+            (to_eigen(t[1]) - a).cross(to_eigen(t[2]) - a)};
+  }
+
+  /// the distance from the boundary, infinite if there is none, and the chord gap there
+  double boundary_distance(const Eigen::Vector3d& p, double& chord_gap) const
+  {
+    chord_gap = 0;
+    if(m_segments.empty())
+      return (std::numeric_limits<double>::infinity)();
+    const auto closest = m_segment_tree.closest_point_and_primitive(point(p));
+    chord_gap = m_chord_gaps[std::size_t(closest.second - m_segments.begin())];
+    return (to_eigen(closest.first) - p).norm();
+  }
+
+private:
+  // a quad of the layout may span a few edges
+  static constexpr std::size_t NEIGHBORS_WITH_COMMON_GAP = 2;
+  static constexpr int SAMPLES_OF_AN_EDGE = 16;
+
+  static Kernel::Point_3 point(const Eigen::Vector3d& p)
+  {
+    return Kernel::Point_3(p.x(), p.y(), p.z());
+  }
+
+  template <typename TriangleMesh, typename VertexPointMap, typename Network, typename Loop>
+  void add_loop(const TriangleMesh& tm, const VertexPointMap& vpm, const Network& network,
+                const Loop& loop)
+  {
+    std::vector<double> gaps;
+    for(auto h : loop)
+    {
+      const Eigen::Vector3d a = to_eigen(get(vpm, source(h, tm)));
+      const Eigen::Vector3d b = to_eigen(get(vpm, target(h, tm)));
+      m_segments.emplace_back(point(a), point(b));
+      gaps.push_back(chord_gap(network, h, a, b - a));
+    }
+    const std::size_t n = gaps.size();
+    for(std::size_t i = 0; i < n; ++i)
+    {
+      double gap = gaps[i];
+      for(std::size_t k = 1; k <= NEIGHBORS_WITH_COMMON_GAP; ++k)
+        gap = (std::max)({gap, gaps[(i + k) % n], gaps[(i + k * (n - 1)) % n]});
+      m_chord_gaps.push_back(gap);
+    }
+  }
+
+  template <typename Network, typename Halfedge>
+  static double chord_gap(const Network& network, Halfedge h, const Eigen::Vector3d& a,
+                          const Eigen::Vector3d& d)
+  {
+    const auto place = network.chain_of(h);
+    const auto& segment = network.curve_segment(place.chain, place.index);
+    const auto point_on_curve = network.traits().construct_point_on_curve_3_object();
+    double gap = 0;
+    for(int i = 1; i < SAMPLES_OF_AN_EDGE; ++i)
+    {
+      const auto t
+        = segment.first + (segment.second - segment.first) * i / double(SAMPLES_OF_AN_EDGE);
+      const Eigen::Vector3d r = to_eigen(point_on_curve(segment.curve, t)) - a;
+      const double s = (std::min)(1., (std::max)(0., r.dot(d) / d.squaredNorm()));
+      gap = (std::max)(gap, (r - s * d).norm());
+    }
+    return gap;
+  }
+
+  Triangles m_triangles;
+  Segments m_segments;
+  std::vector<double> m_chord_gaps;
+  Triangle_tree m_triangle_tree;
+  Segment_tree m_segment_tree;
+  double m_mean_edge_length = 0;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_spline_conversion
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_EXPORT_MESH_DISTANCE_H

@@ -1,0 +1,420 @@
+// Copyright (c) 2026 the authors of the package Surface_mesh_spline_conversion.
+// All rights reserved.
+//
+// This file is part of the package Surface_mesh_spline_conversion, which is being
+// prepared for submission to CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+#ifndef CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_EXPORT_SHELL_ASSEMBLER_H
+#define CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_EXPORT_SHELL_ASSEMBLER_H
+
+#include <CGAL/license/Surface_mesh_spline_conversion.h>
+
+#include <CGAL/Surface_mesh_spline_conversion/NURBS_shell_3.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/caps/Cap_builder.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/export/Cell_complex.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/export/Cell_merger.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/export/blossoms.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_spline_conversion {
+namespace internal {
+
+/// The control points of the C2 cubic B-spline with `breaks` as simple knots: blossoms at three
+/// consecutive knots. `piece(i)` is the polynomial on span i with its first and last parameter; it
+/// may reach beyond the span.
+inline Blossom_arguments control_point_arguments(const std::vector<double>& breaks, std::size_t i)
+{
+  auto knot = [&breaks](std::size_t k)
+  { return breaks[(k < 3) ? 0 : (std::min)(k - 3, breaks.size() - 1)]; };
+  return {{knot(i + 1), knot(i + 2), knot(i + 3)}};
+}
+
+/// the span whose polynomial gives control point `i`: one in the middle of its support
+inline std::size_t control_point_span(const std::vector<double>& breaks, std::size_t i)
+{
+  return (i < 2) ? 0 : (std::min)(i - 2, breaks.size() - 2);
+}
+
+inline Blossom_arguments normalized(Blossom_arguments t, double first, double last)
+{
+  for(double& x : t)
+    x = (x - first) / (last - first);
+  return t;
+}
+
+/// a point on side `side` of a quad on the boundary, `parameter` counter clockwise in [0,1]
+struct Boundary_point
+{
+  std::size_t quad;
+  int side;
+  double parameter;
+};
+
+/// Builds vertices, edges and faces of a shell from rectangles of cells. A vertex stands at every
+/// corner of a face and wherever more than two faces, or the boundary and two faces, meet; between
+/// vertices the two faces share one edge.
+template <typename K>
+class Shell_assembler
+{
+  typedef NURBS_shell_3<K> Shell;
+  typedef Cell_complex::Segment_use Segment_use;
+  typedef typename K::Point_3 Point_3;
+
+public:
+  Shell_assembler(const Cell_complex& complex, const std::vector<Cap>& caps,
+                  const Cell_merger& merger)
+    : m_complex(complex), m_caps(caps), m_merger(merger)
+  {}
+
+  /// \param boundary_points where the boundary must have further vertices
+  void operator()(std::vector<Cell_rectangle> faces,
+                  const std::vector<Boundary_point>& boundary_points, Shell& shell)
+  {
+    m_is_node.assign(m_complex.number_of_vertices(), false);
+    for(const Boundary_point& point : boundary_points)
+      add_node(point);
+    turn_caps(faces);
+    std::vector<Loop> loops(faces.size());
+    for(std::size_t f = 0; f < faces.size(); ++f)
+      loops[f] = loop(faces[f]);
+    mark_nodes(loops);
+
+    m_vertex.assign(m_is_node.size(), NO_INDEX);
+    m_edge_of_segment.assign(m_complex.segments().size(), NO_INDEX);
+    for(std::size_t f = 0; f < faces.size(); ++f)
+      add_face(faces[f], loops[f], shell);
+  }
+
+private:
+  // a segment, or the part of it between two further vertices, as fractions in its direction
+  struct Piece
+  {
+    Segment_use use;
+    double first;
+    double last;
+    std::size_t source;
+    std::size_t target;
+  };
+
+  typedef std::array<std::vector<Piece>, 4> Loop; // one run for each side of the face
+
+  // Turns a point of the boundary into a node: the vertex of the complex there, or a new one that
+  // cuts a segment.
+  void add_node(const Boundary_point& point)
+  {
+    constexpr double CLOSE = 1e-9; // in sides of quads; shorter edges make no sense
+    const std::vector<Cell_complex::Segment>& segments = m_complex.segments();
+    for(std::size_t i = 0; i < segments.size(); ++i)
+    {
+      const Cell_complex::Segment_side& left = segments[i].sides[0];
+      if(segments[i].sides[1].cell != NO_INDEX || left.quad_side != point.side
+         || m_complex.cells()[left.cell].quad != point.quad)
+        continue;
+      const Tick_rectangle& r = m_complex.cells()[left.cell].rectangle;
+      const int axis = point.side & 1;
+      const double begin = (point.side < 2) ? r.low[axis] : QUAD_TICKS - r.high[axis];
+      const double extent = double(r.extent(axis)) * (left.last - left.first);
+      const double first = begin + double(r.extent(axis)) * left.first;
+      const double fraction = (point.parameter * double(QUAD_TICKS) - first) / extent;
+      const double close = CLOSE * double(QUAD_TICKS) / extent;
+      if(fraction < -close || fraction > 1 + close)
+        continue;
+      if(fraction < close || fraction > 1 - close)
+        m_is_node[segments[i].vertex[fraction < close ? 0 : 1]] = true;
+      else
+      {
+        m_cuts[i].insert({fraction, m_is_node.size()});
+        m_is_node.push_back(true);
+      }
+      return;
+    }
+  }
+
+  void append_pieces(const Segment_use& use, std::vector<Piece>& pieces) const
+  {
+    Piece piece = {use, 0, 1, m_complex.source(use), m_complex.target(use)};
+    const auto cuts = m_cuts.find(use.segment);
+    if(cuts != m_cuts.end())
+      for(const auto& cut : cuts->second)
+      {
+        const std::size_t target = piece.target;
+        piece.last = cut.first;
+        piece.target = cut.second;
+        pieces.push_back(piece);
+        piece.first = piece.last;
+        piece.source = piece.target;
+        piece.last = 1;
+        piece.target = target;
+      }
+    pieces.push_back(piece);
+  }
+
+  // the extraordinary point at the smallest parameters
+  void turn_caps(std::vector<Cell_rectangle>& faces) const
+  {
+    for(Cell_rectangle& face : faces)
+    {
+      const Cell& cell = m_complex.cells()[face.cells.front().cell];
+      if(cell.cap == NO_INDEX)
+        continue;
+      face.cells.front().frame.turns = (4 - sector(cell).corner) & 3;
+      face.bounds = face.cells.front().frame(cell.rectangle);
+    }
+  }
+
+  const Cap_sector& sector(const Cell& cell) const { return m_caps[cell.cap].sectors[cell.sector]; }
+
+  Loop loop(const Cell_rectangle& face) const
+  {
+    Loop result;
+    for(int side = 0; side < 4; ++side)
+    {
+      std::vector<std::pair<std::int64_t, std::size_t> > order;
+      for(std::size_t i = 0; i < face.cells.size(); ++i)
+      {
+        const Tick_rectangle r = Cell_merger::image(m_complex, face.cells[i]);
+        if(Cell_merger::level(r, side) == Cell_merger::level(face.bounds, side))
+          order.emplace_back((side < 2) ? r.low[side] : -r.high[side - 2], i);
+      }
+      std::sort(order.begin(), order.end());
+      for(const auto& entry : order)
+      {
+        const Placed_cell& placed = face.cells[entry.second];
+        for(const Segment_use& use
+            : m_complex.uses(placed.cell, Cell_merger::cell_side(placed, side)))
+          append_pieces(use, result[side]);
+      }
+    }
+    return result;
+  }
+
+  void mark_nodes(const std::vector<Loop>& loops)
+  {
+    std::vector<char> is_outline(m_complex.segments().size(), false);
+    std::vector<int> degree(m_is_node.size(), 0);
+    for(const Loop& loop : loops)
+      for(const auto& side : loop)
+      {
+        m_is_node[side.front().source] = true;
+        for(const Piece& piece : side)
+          if(!is_outline[piece.use.segment])
+          {
+            is_outline[piece.use.segment] = true;
+            ++degree[m_complex.source(piece.use)];
+            ++degree[m_complex.target(piece.use)];
+          }
+      }
+    for(std::size_t v = 0; v < degree.size(); ++v)
+      if(degree[v] > 2)
+        m_is_node[v] = true;
+  }
+
+  void add_face(const Cell_rectangle& cells, const Loop& loop, Shell& shell)
+  {
+    typename Shell::Face face;
+    const Cell& first = m_complex.cells()[cells.cells.front().cell];
+    face.is_extraordinary = (first.cap != NO_INDEX);
+    face.surface = face.is_extraordinary ? cap_surface(first) : merged_surface(cells, face.patch);
+    if(face.is_extraordinary)
+      face.patch = first.patch;
+    for(const auto& side : loop)
+      for(std::size_t begin = 0, end; begin < side.size(); begin = end)
+      {
+        for(end = begin + 1; end < side.size() && !m_is_node[side[end].source]; )
+          ++end;
+        face.loop.push_back(oriented_edge({side.begin() + begin, side.begin() + end}, shell));
+      }
+    shell.add_face(std::move(face));
+  }
+
+  // the second face that comes along an edge finds it by the segments; boundary edges, which may be
+  // parts of segments, have one face only
+  typename Shell::Oriented_edge oriented_edge(const std::vector<Piece>& run, Shell& shell)
+  {
+    const std::size_t known = m_edge_of_segment[run.front().use.segment];
+    if(known != NO_INDEX && m_complex.across(run.front().use).cell != NO_INDEX)
+      return {known, false};
+    typename Shell::Edge edge;
+    edge.curve = curve(run);
+    auto& points = edge.curve.control_points;
+    edge.source = vertex(run.front().source, points.front(), shell);
+    edge.target = vertex(run.back().target, points.back(), shell);
+    points.front() = shell.point(edge.source);
+    points.back() = shell.point(edge.target);
+    const std::size_t e = shell.add_edge(std::move(edge));
+    for(const Piece& piece : run)
+      m_edge_of_segment[piece.use.segment] = e;
+    return {e, true};
+  }
+
+  std::size_t vertex(std::size_t v, const Point_3& p, Shell& shell)
+  {
+    if(m_vertex[v] == NO_INDEX)
+      m_vertex[v] = shell.add_vertex(p);
+    return m_vertex[v];
+  }
+
+  static Point_3 point(const Eigen::Vector3d& p) { return Point_3(p.x(), p.y(), p.z()); }
+
+  bool is_cap(const Cell_complex::Segment_side& side) const
+  {
+    return side.cell != NO_INDEX && m_complex.cells()[side.cell].cap != NO_INDEX;
+  }
+
+  // in units of layout quads
+  double length(const Segment_use& use) const
+  {
+    const auto& side = m_complex.here(use);
+    const double extent = double(m_complex.cells()[side.cell].rectangle.extent(side.side & 1));
+    return (side.last - side.first) * extent / double(QUAD_TICKS);
+  }
+
+  B_spline_curve_3<K> curve(const std::vector<Piece>& run) const
+  {
+    if(is_cap(m_complex.here(run.front().use)) && is_cap(m_complex.across(run.front().use)))
+      return spoke(run.front().use);
+    std::vector<Cubic> pieces;
+    std::vector<double> breaks(1, 0);
+    for(const Piece& piece : run)
+    {
+      pieces.push_back(restriction(cubic(piece.use), piece.first, piece.last));
+      breaks.push_back(breaks.back() + (piece.last - piece.first) * length(piece.use));
+    }
+    B_spline_curve_3<K> result;
+    for(std::size_t i = 0; i < pieces.size() + 3; ++i)
+    {
+      const std::size_t k = control_point_span(breaks, i);
+      result.control_points.push_back(point(blossom(pieces[k], normalized(
+        control_point_arguments(breaks, i), breaks[k], breaks[k + 1]))));
+    }
+    result.knots = Knot_vector<typename K::FT>(3, {breaks.begin(), breaks.end()});
+    return result;
+  }
+
+  // the curve of a segment as seen from the use, from a bicubic cell on either side
+  Cubic cubic(const Segment_use& use) const
+  {
+    if(!is_cap(m_complex.here(use)))
+    {
+      const auto& side = m_complex.here(use);
+      return restriction(side_curve(m_complex.cells()[side.cell].points, side.side), side.first,
+                         side.last);
+    }
+    const auto& side = m_complex.across(use);
+    return restriction(side_curve(m_complex.cells()[side.cell].points, side.side), side.last,
+                       side.first);
+  }
+
+  // the common curve of two sectors of a cap
+  B_spline_curve_3<K> spoke(const Segment_use& use) const
+  {
+    const auto& side = m_complex.here(use);
+    const Cap_sector& s = sector(m_complex.cells()[side.cell]);
+    const Biquintic grid = rotated(s.points, (4 + s.corner - side.side) & 3);
+    B_spline_curve_3<K> result;
+    for(int i = 0; i < Cap_operator::ORDER; ++i)
+      result.control_points.push_back(point(grid[i]));
+    result.knots = Knot_vector<typename K::FT>(Cap_operator::DEGREE, {0, length(use)});
+    return result;
+  }
+
+  B_spline_surface_3<K> cap_surface(const Cell& cell) const
+  {
+    const Cap_sector& s = sector(cell);
+    const double size = double(cell.rectangle.extent(0)) / double(QUAD_TICKS);
+    B_spline_surface_3<K> result;
+    for(const Eigen::Vector3d& p : s.points)
+      result.control_points.push_back(point(p));
+    result.knots[0] = Knot_vector<typename K::FT>(Cap_operator::DEGREE, {0, size});
+    result.knots[1] = result.knots[0];
+    return result;
+  }
+
+  B_spline_surface_3<K> merged_surface(const Cell_rectangle& face, std::size_t& patch) const
+  {
+    std::array<std::vector<double>, 2> breaks;
+    std::array<std::vector<std::int64_t>, 2> ticks;
+    for(int axis = 0; axis < 2; ++axis)
+    {
+      ticks[axis] = m_merger.breakpoints(face, axis);
+      for(std::int64_t t : ticks[axis])
+        breaks[axis].push_back(double(t - face.bounds.low[axis]) / double(QUAD_TICKS));
+    }
+    const std::vector<std::size_t> cell_of_span = cells_of_spans(face, ticks);
+    std::vector<Bicubic> pieces;
+    for(const Placed_cell& placed : face.cells)
+      pieces.push_back(rotated(m_complex.cells()[placed.cell].points, placed.frame.turns));
+    patch = m_complex.cells()[face.cells[cell_of_span[0]].cell].patch;
+
+    B_spline_surface_3<K> result;
+    const std::size_t nu = breaks[0].size() + 2, nv = breaks[1].size() + 2;
+    for(std::size_t j = 0; j < nv; ++j)
+      for(std::size_t i = 0; i < nu; ++i)
+      {
+        const std::size_t c = cell_of_span[control_point_span(breaks[1], j) * (nu - 3)
+                                           + control_point_span(breaks[0], i)];
+        const Tick_rectangle r = Cell_merger::image(m_complex, face.cells[c]);
+        std::array<Blossom_arguments, 2> t;
+        for(int axis = 0; axis < 2; ++axis)
+          t[axis] = normalized(control_point_arguments(breaks[axis], axis == 0 ? i : j),
+                               double(r.low[axis] - face.bounds.low[axis]) / double(QUAD_TICKS),
+                               double(r.high[axis] - face.bounds.low[axis]) / double(QUAD_TICKS));
+        result.control_points.push_back(point(blossom(pieces[c], t[0], t[1])));
+      }
+    for(int axis = 0; axis < 2; ++axis)
+      result.knots[axis]
+        = Knot_vector<typename K::FT>(3, {breaks[axis].begin(), breaks[axis].end()});
+    return result;
+  }
+
+  // which cell covers a span of the tensor product grid; spans in u run fastest
+  std::vector<std::size_t> cells_of_spans(const Cell_rectangle& face,
+                                          const std::array<std::vector<std::int64_t>, 2>& ticks)
+    const
+  {
+    const std::size_t nu = ticks[0].size() - 1, nv = ticks[1].size() - 1;
+    std::vector<std::size_t> result(nu * nv, 0);
+    for(std::size_t c = 0; c < face.cells.size(); ++c)
+    {
+      const Tick_rectangle r = Cell_merger::image(m_complex, face.cells[c]);
+      std::array<std::array<std::size_t, 2>, 2> range;
+      for(int axis = 0; axis < 2; ++axis)
+      {
+        const auto begin = ticks[axis].begin(), end = ticks[axis].end();
+        range[axis][0] = std::lower_bound(begin, end, r.low[axis]) - begin;
+        range[axis][1] = std::lower_bound(begin, end, r.high[axis]) - begin;
+      }
+      for(std::size_t j = range[1][0]; j < range[1][1]; ++j)
+        for(std::size_t i = range[0][0]; i < range[0][1]; ++i)
+          result[j * nu + i] = c;
+    }
+    return result;
+  }
+
+  const Cell_complex& m_complex;
+  const std::vector<Cap>& m_caps;
+  const Cell_merger& m_merger;
+  // vertices of the complex and, after them, those that cut segments
+  std::vector<char> m_is_node;
+  std::vector<std::size_t> m_vertex;          // of the shell
+  std::vector<std::size_t> m_edge_of_segment;
+  // fraction and vertex of cuts, by segment
+  std::map<std::size_t, std::map<double, std::size_t> > m_cuts;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_spline_conversion
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_EXPORT_SHELL_ASSEMBLER_H

@@ -1,0 +1,142 @@
+// Copyright (c) 2026 the authors of the package Surface_mesh_spline_conversion.
+// All rights reserved.
+//
+// This file is part of the package Surface_mesh_spline_conversion, which is being
+// prepared for submission to CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+#ifndef CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_EXPORT_NORMAL_ANGLES_H
+#define CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_EXPORT_NORMAL_ANGLES_H
+
+#include <CGAL/license/Surface_mesh_spline_conversion.h>
+
+#include <CGAL/Surface_mesh_spline_conversion/NURBS_shell_3.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/export/Deviation_statistics.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/export/bezier_pieces.h>
+
+#include <CGAL/number_type_config.h>
+#include <CGAL/number_utils.h>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_spline_conversion {
+namespace internal {
+
+/// where an oriented edge lies on the boundary of its face
+struct Edge_on_face
+{
+  int side;      ///< of the parameter rectangle, counter clockwise from the lower one
+  double offset; ///< of its begin on the side, counter clockwise
+  double length;
+
+  /// the parameters at the fraction `t` of the edge in the direction of the loop
+  template <typename K>
+  std::array<double, 2> parameters(const B_spline_surface_3<K>& surface, double t) const
+  {
+    const int axis = side & 1;
+    const auto &along = surface.knots[axis].knots(), &across = surface.knots[1 - axis].knots();
+    const double s = offset + t * length;
+    std::array<double, 2> result;
+    result[axis] = CGAL::to_double(side < 2 ? along.front() + s : along.back() - s);
+    result[1 - axis]
+      = CGAL::to_double((side == 1 || side == 2) ? across.back() : across.front());
+    return result;
+  }
+};
+
+/// The places of the edges of a face. Along each side the parameter intervals of its edges add up
+/// to that of the face.
+template <typename K>
+std::vector<Edge_on_face> places_of_edges(const NURBS_shell_3<K>& shell, std::size_t f)
+{
+  const auto& face = shell.face(f);
+  auto side_length = [&face](int side)
+  {
+    const auto& knots = face.surface.knots[side & 1].knots();
+    return CGAL::to_double(knots.back() - knots.front());
+  };
+  std::vector<Edge_on_face> result;
+  Edge_on_face place = {0, 0, 0};
+  for(const auto& e : face.loop)
+  {
+    const auto& curve = shell.edge(e.edge).curve;
+    place.length = CGAL::to_double(curve.last() - curve.first());
+    if(place.offset + place.length / 2 > side_length(place.side) && place.side < 3)
+    {
+      ++place.side;
+      place.offset = 0;
+    }
+    result.push_back(place);
+    place.offset += place.length;
+  }
+  return result;
+}
+
+/// the unit normals of a face at `n + 1` points of an edge, in the direction of the edge; zero where
+/// there is none
+template <typename K>
+std::vector<Eigen::Vector3d> normals_along_edge(const B_spline_surface_3<K>& surface,
+                                                const Edge_on_face& place, bool is_forward, int n)
+{
+  std::vector<Eigen::Vector3d> result;
+  for(int i = 0; i <= n; ++i)
+  {
+    const double t = (is_forward ? i : n - i) / double(n);
+    const std::array<double, 2> uv = place.parameters(surface, t);
+    const auto d = surface.derivatives(uv[0], uv[1], 1);
+    result.push_back(to_eigen(d[1][0]).cross(to_eigen(d[0][1])).stableNormalized());
+  }
+  return result;
+}
+
+/// the angles between the normals of adjacent faces at samples of their edges, in degrees
+template <typename K>
+Deviation_statistics normal_angles(const NURBS_shell_3<K>& shell)
+{
+  constexpr int INTERVALS_OF_A_SPAN = 8;
+  std::vector<std::vector<Eigen::Vector3d> > first(shell.number_of_edges());
+  Deviation_statistics result;
+  for(std::size_t f = 0; f < shell.number_of_faces(); ++f)
+  {
+    const std::vector<Edge_on_face> places = places_of_edges(shell, f);
+    for(std::size_t i = 0; i < places.size(); ++i)
+    {
+      const auto& use = shell.face(f).loop[i];
+      if(shell.is_border(use.edge))
+        continue;
+      const B_spline_curve_3<K>& curve = shell.edge(use.edge).curve;
+      const int n = INTERVALS_OF_A_SPAN * int(curve.knots.number_of_spans());
+      const std::vector<Eigen::Vector3d> normals
+        = normals_along_edge(shell.face(f).surface, places[i], use.is_forward, n);
+      if(first[use.edge].empty())
+      {
+        first[use.edge] = normals;
+        continue;
+      }
+      for(int k = 0; k <= n; ++k)
+      {
+        const Eigen::Vector3d &a = first[use.edge][k], &b = normals[k];
+        const double angle = std::atan2(a.cross(b).norm(), a.dot(b)) * 180 / CGAL_PI;
+        const auto t = curve.first() + (curve.last() - curve.first()) * k / double(n);
+        result.add(angle, to_eigen(curve.point(t)));
+      }
+      first[use.edge] = std::vector<Eigen::Vector3d>();
+    }
+  }
+  return result;
+}
+
+} // namespace internal
+} // namespace Surface_mesh_spline_conversion
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_EXPORT_NORMAL_ANGLES_H

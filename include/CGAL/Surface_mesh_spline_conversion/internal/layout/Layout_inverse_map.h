@@ -1,0 +1,108 @@
+// Copyright (c) 2026 the authors of the package Surface_mesh_spline_conversion.
+// All rights reserved.
+//
+// This file is part of the package Surface_mesh_spline_conversion, which is being
+// prepared for submission to CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+#ifndef CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_LAYOUT_LAYOUT_INVERSE_MAP_H
+#define CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_LAYOUT_LAYOUT_INVERSE_MAP_H
+
+#include <CGAL/license/Surface_mesh_spline_conversion.h>
+
+#include <CGAL/Surface_mesh_spline_conversion/Quad_layout.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/layout/Mapped_quads.h>
+
+#include <CGAL/number_utils.h>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_spline_conversion {
+namespace internal {
+
+// barycentric coordinates of the orthogonal projection of `p` to the plane of a triangle
+inline std::array<double, 3> barycentric_coordinates(const std::array<Eigen::Vector3d, 3>& triangle,
+                                                     const Eigen::Vector3d& p)
+{
+  for(int i = 0; i < 3; ++i)
+    if(p == triangle[i])
+      return {{i == 0 ? 1. : 0., i == 1 ? 1. : 0., i == 2 ? 1. : 0.}};
+  const Eigen::Vector3d normal
+    = (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]);
+  std::array<double, 3> b;
+  for(int i = 0; i < 3; ++i)
+    b[i] = normal.dot((triangle[(i + 1) % 3] - p).cross(triangle[(i + 2) % 3] - p))
+           / normal.squaredNorm();
+  return b;
+}
+
+// The inverse map of a layout that has been extracted from an integer grid map.
+template <typename GeomTraits>
+class Layout_inverse_map
+  : public Quad_layout<GeomTraits>::Inverse_map
+{
+  typedef Quad_layout<GeomTraits> Layout;
+
+public:
+  typedef typename Layout::FT FT;
+  typedef typename Layout::Location Location;
+
+  // `input_faces`: the corners of the input faces in the order of `faces(tm)`
+  Layout_inverse_map(Mapped_quads quads, const Working_mesh& mesh,
+                     const std::vector<std::array<Eigen::Vector3d, 3> >& input_faces)
+    : m_quads(std::move(quads)), m_faces(mesh.number_of_faces())
+  {
+    for(int f = 0; f < mesh.number_of_faces(); ++f)
+    {
+      m_faces[f].parent = mesh.parent[f];
+      for(int i = 0; i < 3; ++i)
+      {
+        m_faces[f].points[i] = mesh.points[mesh.triangles[f][i]];
+        m_faces[f].in_parent[i]
+          = barycentric_coordinates(input_faces[mesh.parent[f]], m_faces[f].points[i]);
+      }
+    }
+  }
+
+  Location operator()(std::size_t quad, FT u, FT v) const override
+  {
+    const Working_location at = m_quads(quad, CGAL::to_double(u), CGAL::to_double(v));
+    const Face& face = m_faces[at.face];
+    Location location;
+    location.face = face.parent;
+    const Eigen::Vector3d p = at.barycentric[0] * face.points[0]
+                              + at.barycentric[1] * face.points[1]
+                              + at.barycentric[2] * face.points[2];
+    location.point = typename GeomTraits::Point_3(p[0], p[1], p[2]);
+    for(int i = 0; i < 3; ++i)
+      location.barycentric[i] = FT(at.barycentric[0] * face.in_parent[0][i]
+                                   + at.barycentric[1] * face.in_parent[1][i]
+                                   + at.barycentric[2] * face.in_parent[2][i]);
+    return location;
+  }
+
+private:
+  struct Face
+  {
+    std::size_t parent;
+    std::array<Eigen::Vector3d, 3> points;
+    std::array<std::array<double, 3>, 3> in_parent; // barycentric coordinates of the corners
+  };
+
+  Mapped_quads m_quads;
+  std::vector<Face> m_faces;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_spline_conversion
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_LAYOUT_LAYOUT_INVERSE_MAP_H

@@ -1,0 +1,184 @@
+// Copyright (c) 2026 the authors of the package Surface_mesh_spline_conversion.
+// All rights reserved.
+//
+// This file is part of the package Surface_mesh_spline_conversion, which is being
+// prepared for submission to CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+#ifndef CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_MAP_QUANTIZATION_H
+#define CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_MAP_QUANTIZATION_H
+
+#include <CGAL/license/Surface_mesh_spline_conversion.h>
+
+#include <CGAL/Surface_mesh_spline_conversion/internal/map/Length_network.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/map/Quantization_oracle.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_spline_conversion {
+namespace internal {
+
+// Finds integer lengths of the arcs of a T-mesh near the real ones.
+class Quantization
+{
+public:
+  Quantization(const Motorcycle_graph& graph, int fractional_bits)
+    : m_graph(graph), m_targets(real_lengths(graph, fractional_bits)),
+      m_network(graph, m_targets), m_oracle(graph)
+  {
+    find_loops();
+  }
+
+  // Lengths of at least one, for which every rectangle of the T-mesh is a grid of quads. They exist
+  // because the real lengths solve the same equations. `false` should not happen.
+  bool quantize_all_positive()
+  {
+    std::vector<int> start(m_targets.size());
+    for(std::size_t a = 0; a < start.size(); ++a)
+      start[a] = (std::max)(m_positive_bounds[a], static_cast<int>(std::lround(m_targets[a])));
+    m_network.set_lower_bounds(m_positive_bounds);
+    m_network.set_lengths(start);
+    if(!m_network.balance() && !balance_in_double_cover())
+      return false;
+    descend(false);
+    return m_oracle(m_network.lengths());
+  }
+
+  // Lowers lengths, down to zero where the oracle finds that the layout stays valid: rounding up all
+  // short arcs to one would refine the layout without need.
+  // \pre `quantize_all_positive()` has succeeded
+  void allow_zeros()
+  {
+    m_network.set_lower_bounds(std::vector<int>(m_targets.size(), 0));
+    descend(true);
+  }
+
+  const std::vector<int>& lengths() const { return m_network.lengths(); }
+
+  // the wanted lengths in quads
+  static std::vector<double> real_lengths(const Motorcycle_graph& graph, int fractional_bits)
+  {
+    std::vector<double> lengths;
+    for(const Motorcycle_graph::Arc& arc : graph.arcs)
+      lengths.push_back(std::ldexp(static_cast<double>(arc.length), -fractional_bits));
+    return lengths;
+  }
+
+  // a boundary loop needs this number of quad sides to carry a useful spline
+  static constexpr int smallest_loop = 4;
+
+private:
+  static constexpr int maximum_number_of_passes = 30;
+  // improvements below this part of a unit of cost are noise
+  static constexpr double smallest_gain = 1e-9;
+
+  // Collects the boundary arcs per loop, and the bounds that give every loop enough sides.
+  void find_loops()
+  {
+    m_positive_bounds.assign(m_graph.arcs.size(), 1);
+    std::vector<char> is_visited(m_graph.arcs.size(), 0);
+    for(int first = 0; first < static_cast<int>(m_graph.arcs.size()); ++first)
+    {
+      if(!m_graph.arcs[first].is_on_boundary || is_visited[first])
+        continue;
+      m_loops.emplace_back();
+      for(int a = first; !is_visited[a]; a = m_graph.nodes[m_graph.arcs[a].node[1]].slots[0] / 2)
+      {
+        is_visited[a] = 1;
+        m_loops.back().push_back(a);
+      }
+      std::vector<int>& loop = m_loops.back();
+      // the longest arcs take what is missing
+      std::sort(loop.begin(), loop.end(), [this](int a, int b)
+        { return std::make_pair(-m_targets[a], a) < std::make_pair(-m_targets[b], b); });
+      for(int i = static_cast<int>(loop.size()); i < smallest_loop; ++i)
+        ++m_positive_bounds[loop[i % loop.size()]];
+    }
+  }
+
+  bool has_large_loops() const
+  {
+    for(const std::vector<int>& loop : m_loops)
+    {
+      int sum = 0;
+      for(int a : loop)
+        sum += m_network.length(a);
+      if(sum < smallest_loop)
+        return false;
+    }
+    return true;
+  }
+
+  // Balancing by single walks can fail where a walk has to use an arc twice; in the double cover it
+  // cannot, at the price of lengths of at least two.
+  bool balance_in_double_cover()
+  {
+    Length_network cover = m_network.double_cover();
+    std::vector<int> start(2 * m_targets.size()), bounds(start.size());
+    for(std::size_t i = 0; i < start.size(); ++i)
+    {
+      bounds[i] = (m_positive_bounds[i / 2] + 1) / 2;
+      start[i] = (std::max)(bounds[i], static_cast<int>(std::lround(m_targets[i / 2] / 2)));
+    }
+    cover.set_lower_bounds(bounds);
+    cover.set_lengths(start);
+    if(!cover.balance())
+      return false;
+    std::vector<int> sums(m_targets.size());
+    for(std::size_t a = 0; a < sums.size(); ++a)
+      sums[a] = cover.length(static_cast<int>(2 * a)) + cover.length(static_cast<int>(2 * a + 1));
+    m_network.set_lengths(std::move(sums));
+    return true;
+  }
+
+  // Changes lengths by one as long as the cost falls, the worst arcs first.
+  void descend(bool use_oracle)
+  {
+    for(int pass = 0; pass < maximum_number_of_passes; ++pass)
+    {
+      std::vector<std::pair<double, int> > by_excess;
+      for(int a = 0; a < m_network.number_of_arcs(); ++a)
+        by_excess.emplace_back(-m_network.excess(a), a);
+      std::sort(by_excess.begin(), by_excess.end());
+      bool has_changed = false;
+      for(const auto& entry : by_excess)
+        for(int change : {-1, 1})
+          has_changed = try_change(entry.second, change, use_oracle) || has_changed;
+      if(!has_changed)
+        return;
+    }
+  }
+
+  bool try_change(int arc, int change, bool use_oracle)
+  {
+    if(m_network.marginal_cost(arc, change) >= 0 || !m_network.change(arc, change))
+      return false;
+    if(m_network.pending_cost() < -smallest_gain && has_large_loops()
+       && (!use_oracle || m_oracle(m_network.lengths())))
+    {
+      m_network.commit();
+      return true;
+    }
+    m_network.revert();
+    return false;
+  }
+
+  const Motorcycle_graph& m_graph;
+  std::vector<double> m_targets;
+  Length_network m_network;
+  Quantization_oracle m_oracle;
+  std::vector<std::vector<int> > m_loops;      // boundary arcs
+  std::vector<int> m_positive_bounds;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_spline_conversion
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_MAP_QUANTIZATION_H

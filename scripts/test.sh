@@ -1,0 +1,15 @@
+#!/usr/bin/env bash
+# Builds tests and examples, and runs all tests. Installs what is missing (Debian 12).
+# Arguments are passed on to ctest, for instance: scripts/test.sh -R layout
+set -euo pipefail
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+source "$root/scripts/install_packages.sh"
+install_packages cmake make g++ libcgal-dev libeigen3-dev clang-14 doxygen
+
+build=$root/build/test
+launcher=()
+command -v ccache > /dev/null && launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
+cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release "${launcher[@]}"
+cmake --build "$build" -j2
+cd "$build"
+exec ctest -j2 --output-on-failure "$@"
