@@ -15,7 +15,6 @@
 #include <CGAL/Surface_mesh_spline_conversion/Quad_layout.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/patches/Layout_boundary.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/patches/Mesh_projection.h>
-#include <CGAL/Surface_mesh_spline_conversion/internal/patches/foot_point_on_patch.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/patches/quad_sides.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -159,34 +158,41 @@ public:
   Point_3 point(size_type quad, const FT& u, const FT& v) const
   {
     const Quad_sides* sides = m_boundary.quad_sides(quad);
-    if(sides == nullptr)
-      return m_layout.inverse_map()(quad, u, v).point;
-    return boundary_quad_point(quad, *sides, u, v);
+    for(int i = 0; sides != nullptr && i < 4; ++i)
+    {
+      const std::array<FT, 2> td = internal::to_side<FT>(i, u, v);
+      if((*sides)[i].is_on_boundary() && td[1] == FT(0))
+        return curve_point((*sides)[i].chain, FT(double((*sides)[i].index)) + td[0]);
+    }
+    const Mesh_place place = place_on_mesh(quad, u, v);
+    return place.location.point + place.displacement;
   }
 
   /*!
   returns the point of the patches that is closest to `p`, in the neighbourhood of the local
-  coordinates `(u,v)` of `quad`.
+  coordinates `(u,v)` of `quad`. In a quad with a boundary side, the displacement of the mesh is taken
+  to be that at `(u,v)` in this neighbourhood.
 
-  If the closest point of the mesh is further away from `point(quad, u, v)` than a quarter of the
-  size of the quad, or lies on a face with opposite orientation, it belongs to another part of the
-  mesh; then `point(quad, u, v)` is returned.
+  If the closest point of the mesh is further away from the one at `(u,v)` than a quarter of the size
+  of the quad, or lies on a face with opposite orientation, it belongs to another part of the mesh;
+  then `point(quad, u, v)` is returned.
   */
   Point_3 foot_point(const Point_3& p, size_type quad, const FT& u, const FT& v) const
   {
-    if(is_boundary_quad(quad))
-      return internal::foot_point_on_patch(*this, p, quad, u, v);
-    const typename Layout::Location start = m_layout.inverse_map()(quad, u, v);
-    const Mesh_projection::Point_3 query = Mesh_projection::to_double_point(p);
-    const Mesh_projection::Foot hint{Mesh_projection::to_double_point(start.point), start.face};
+    const Mesh_place start = place_on_mesh(quad, u, v);
+    const Mesh_projection::Point_3 query
+      = Mesh_projection::to_double_point(p - start.displacement);
+    const Mesh_projection::Foot hint{Mesh_projection::to_double_point(start.location.point),
+                                     start.location.face};
     const Mesh_projection::Foot foot = (*m_mesh)(query, hint);
     const double limit = largest_move * CGAL::to_double(m_quad_sizes[quad]);
     const bool is_near = CGAL::squared_distance(foot.point, hint.point) <= limit * limit;
     const bool is_same_side
       = foot.face == hint.face || m_mesh->normal(foot.face) * m_mesh->normal(hint.face) > 0;
     if(!is_near || !is_same_side)
-      return start.point;
-    return Point_3(FT(foot.point.x()), FT(foot.point.y()), FT(foot.point.z()));
+      return start.location.point + start.displacement;
+    return Point_3(FT(foot.point.x()), FT(foot.point.y()), FT(foot.point.z()))
+           + start.displacement;
   }
 
   /// @}
@@ -206,8 +212,11 @@ private:
     {
       double sum = 0;
       for(int i = 0; i < 4; ++i)
-        sum += std::sqrt(CGAL::to_double(squared_distance(m_layout.point(m_layout.vertex(q, i)),
-                                                          m_layout.point(m_layout.vertex(q, i + 1)))));
+      {
+        const Point_3& source = m_layout.point(m_layout.vertex(q, i));
+        const Point_3& target = m_layout.point(m_layout.vertex(q, i + 1));
+        sum += std::sqrt(CGAL::to_double(CGAL::squared_distance(source, target)));
+      }
       m_quad_sizes.push_back(FT(sum / 4));
     }
   }
@@ -239,11 +248,18 @@ private:
     return result;
   }
 
-  Point_3 inverse_map_across(size_type quad, const FT& u, const FT& v) const
+  // a point of the mesh, and what the patch adds to it
+  struct Mesh_place
+  {
+    typename Layout::Location location;
+    Vector_3 displacement;
+  };
+
+  typename Layout::Location inverse_map_across(size_type quad, const FT& u, const FT& v) const
   {
     const internal::Quad_point<FT> p
       = internal::cross_sides(m_layout, internal::Quad_point<FT>{quad, u, v});
-    return m_layout.inverse_map()(p.quad, p.u, p.v).point;
+    return m_layout.inverse_map()(p.quad, p.u, p.v);
   }
 
   FT slide(const Quad_side& side, const FT& t) const
@@ -257,32 +273,33 @@ private:
   {
     const std::array<FT, 2> uv = internal::from_side<FT>(i, t + slide, FT(0));
     return curve_point(side.chain, FT(double(side.index)) + t)
-           - inverse_map_across(quad, uv[0], uv[1]);
+           - inverse_map_across(quad, uv[0], uv[1]).point;
   }
 
   // section 2.3 of the paper: the mesh, warped by the slides, plus the blended displacements of
   // all boundary sides. Side i acts on a point with the weight 1 - d, d its distance to the side.
-  Point_3 boundary_quad_point(size_type quad, const Quad_sides& sides, const FT& u,
-                              const FT& v) const
+  Mesh_place place_on_mesh(size_type quad, const FT& u, const FT& v) const
   {
     FT warped_u = u, warped_v = v;
     Vector_3 displacement(FT(0), FT(0), FT(0));
+    const Quad_sides* sides = m_boundary.quad_sides(quad);
+    if(sides == nullptr)
+      return Mesh_place{m_layout.inverse_map()(quad, u, v), displacement};
     for(int i = 0; i < 4; ++i)
     {
-      if(!sides[i].is_on_boundary())
+      const Quad_side& side = (*sides)[i];
+      if(!side.is_on_boundary())
         continue;
       const std::array<FT, 2> td = internal::to_side<FT>(i, u, v);
-      if(td[1] == FT(0))
-        return curve_point(sides[i].chain, FT(double(sides[i].index)) + td[0]);
-      const FT weight = FT(1) - td[1], side_slide = slide(sides[i], td[0]);
+      const FT weight = FT(1) - td[1], side_slide = slide(side, td[0]);
       displacement
-        = displacement + weight * side_displacement(quad, i, sides[i], td[0], side_slide);
+        = displacement + weight * side_displacement(quad, i, side, td[0], side_slide);
       const FT move = weight * side_slide;
       (i % 2 == 0 ? warped_u : warped_v) += (i < 2 ? move : -move);
     }
     if(m_corner_displacements[quad])
       displacement = displacement - blended_corners(*m_corner_displacements[quad], u, v);
-    return inverse_map_across(quad, warped_u, warped_v) + displacement;
+    return Mesh_place{inverse_map_across(quad, warped_u, warped_v), displacement};
   }
 
   static Vector_3 blended_corners(const Corner_displacements& corners, const FT& u, const FT& v)

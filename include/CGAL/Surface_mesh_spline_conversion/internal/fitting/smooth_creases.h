@@ -84,6 +84,10 @@ private:
   static constexpr int samples_per_bay = 4;
   static constexpr int maximum_number_of_rounds = 3;
 
+  // A surface that turns by much more than a right angle within two bays has no normal that could
+  // be kept; control points are not moved by more than this share of the size of a quad.
+  static constexpr double largest_move = 0.1;
+
   // Ratio of the weight of the constraint to that of the fit. What remains of a jump is its share.
   static constexpr double constraint_weight = 1e4;
 
@@ -100,8 +104,59 @@ private:
     const std::vector<size_type> unknowns = free_control_points(jumps);
     if(unknowns.empty())
       return;
+    const Positions start = positions(unknowns);
+    const double limit = largest_move * CGAL::to_double(m_target.quad_size(first));
     for(int round = 0; round < maximum_number_of_rounds; ++round)
+    {
+      const Positions last = positions(unknowns);
+      const double misfit = normal_misfit(samples);
       move(samples, jumps, unknowns);
+      if(normal_misfit(samples) < misfit && distance(positions(unknowns), start) <= limit)
+        continue;
+      set_positions(unknowns, last);
+      break;
+    }
+  }
+
+  typedef std::vector<Eigen::Vector3d> Positions;
+
+  Positions positions(const std::vector<size_type>& control_points) const
+  {
+    Positions result;
+    for(size_type i : control_points)
+      result.push_back(to_eigen(m_surface.control_point(i)));
+    return result;
+  }
+
+  void set_positions(const std::vector<size_type>& control_points, const Positions& positions)
+  {
+    for(size_type a = 0; a < control_points.size(); ++a)
+    {
+      const Eigen::Vector3d& p = positions[a];
+      m_surface.set_control_point(control_points[a], Point_3(FT(p[0]), FT(p[1]), FT(p[2])));
+    }
+  }
+
+  static double distance(const Positions& a, const Positions& b)
+  {
+    double result = 0;
+    for(size_type i = 0; i < a.size(); ++i)
+      result = (std::max)(result, (a[i] - b[i]).norm());
+    return result;
+  }
+
+  // the largest sine of the angle between the normals on both sides
+  double normal_misfit(const std::vector<Sample>& samples) const
+  {
+    double result = 0;
+    for(const Sample& s : samples)
+    {
+      const Eigen::Vector3d along = derivative(s, 0, s.along);
+      const Eigen::Vector3d a = derivative(s, 0, s.across).cross(along).normalized();
+      const Eigen::Vector3d b = derivative(s, 1, s.across).cross(along).normalized();
+      result = (std::max)(result, a.dot(b) > 0 ? a.cross(b).norm() : 1);
+    }
+    return result;
   }
 
   std::vector<Sample> make_samples(size_type first, int i, size_type second, int j) const
@@ -225,7 +280,13 @@ private:
       matrix += weight * row * row.transpose();
       right_hand_side -= weight * normal.dot(after - before) * row;
     }
-    apply(matrix.ldlt().solve(right_hand_side), unknowns);
+    const Eigen::VectorXd step = matrix.ldlt().solve(right_hand_side);
+    if(!step.allFinite())
+      return;
+    Positions moved = positions(unknowns);
+    for(Eigen::Index a = 0; a < n; ++a)
+      moved[size_type(a)] += step.segment<3>(3 * a);
+    set_positions(unknowns, moved);
   }
 
   // the largest square of a coefficient
@@ -236,18 +297,6 @@ private:
       for(const auto& term : jump)
         result = (std::max)(result, term.second * term.second);
     return result;
-  }
-
-  void apply(const Eigen::VectorXd& move, const std::vector<size_type>& unknowns)
-  {
-    if(!move.allFinite())
-      return;
-    for(size_type a = 0; a < unknowns.size(); ++a)
-    {
-      const Eigen::Vector3d p = to_eigen(m_surface.control_point(unknowns[a]))
-                                + move.segment<3>(3 * static_cast<Eigen::Index>(a));
-      m_surface.set_control_point(unknowns[a], Point_3(FT(p[0]), FT(p[1]), FT(p[2])));
-    }
   }
 
   Surface& m_surface;
