@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -270,7 +271,10 @@ private:
     auto key = [&](std::size_t i)
     {
       const Halfedge h = m_mesh.star(junctions[i].vertex).into[junctions[i].direction];
-      return -size(m_mesh.face(h), m_mesh.side(h) & 1);
+      const Face f = m_mesh.face(h);
+      const int axis = m_mesh.side(h) & 1;
+      return std::make_tuple(-size(f, axis), -size(f, 1 - axis),
+                             -static_cast<std::int64_t>(junctions[i].crossings.size()));
     };
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t i, std::size_t j) { return key(i) < key(j); });
