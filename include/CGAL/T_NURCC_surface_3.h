@@ -14,6 +14,7 @@
 #include <CGAL/Surface_mesh_spline_conversion/Error_code.h>
 #include <CGAL/Surface_mesh_spline_conversion/Quad_layout.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/surface/Patch_basis.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/surface/Refinement_closure.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/surface/T_mesh.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/surface/T_mesh_builder.h>
 
@@ -23,6 +24,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -177,6 +179,7 @@ public:
     }
     m_chain_starts = builder.chain_starts();
     m_chain_is_closed = builder.chain_is_closed();
+    Closure(m_mesh, m_units).run();
     update();
   }
 
@@ -302,6 +305,23 @@ public:
   Boundary_curve boundary_curve(size_type chain) const;
 
   /// @}
+  /// \name Refinement
+  /// After a refinement, existing control points keep their index, but patches are renumbered. New
+  /// control points reproduce the surface where the old functions are combinations of the new ones,
+  /// which is so wherever no T-vertex is near, and are a good approximation elsewhere.
+  /// @{
+
+  /// halves all knot intervals; a surface without T-vertices does not change.
+  void refine_uniformly();
+
+  /// halves the knot intervals of the boundary that overlap the given spans, and what has to be
+  /// refined with them to have a sound surface: splits are carried two patches inwards; patches
+  /// at convex corners and the two-ring of an extraordinary point are quadrisected; neighboring
+  /// intervals differ at most by a factor of two; and extensions of T-junctions do not cross,
+  /// therefore the basis functions are linearly independent and sum up to one.
+  void refine_boundary(const std::vector<Boundary_span>& spans);
+
+  /// @}
   /// \name Export
   /// @{
 
@@ -362,6 +382,11 @@ private:
   typedef Surface_mesh_spline_conversion::internal::Regular_element Regular_element;
   typedef Surface_mesh_spline_conversion::internal::Extraordinary_face Extraordinary_face;
 
+  typedef Surface_mesh_spline_conversion::internal::Refinement_closure<Point_3> Closure;
+
+  template <typename Marker>
+  void refine(const Marker& mark);
+  void mark_spans(const std::vector<Boundary_span>& spans, Closure& closure) const;
   bool is_chain_end(Vertex v) const;
   Bezier_element regular_element(size_type i, const Regular_element& e) const;
   Point_3 stencil_point(const Extraordinary_face& face,
@@ -375,6 +400,7 @@ private:
 
   T_mesh m_mesh;
   Patch_basis m_basis;
+  std::vector<std::int64_t> m_units; // the intervals around extraordinary points
   std::vector<Vertex> m_extraordinary_points;
   std::vector<Vertex> m_chain_starts; // on row 0
   std::vector<bool> m_chain_is_closed;

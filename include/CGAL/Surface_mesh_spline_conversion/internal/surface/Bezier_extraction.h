@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
+#include <CGAL/Surface_mesh_spline_conversion/internal/surface/Face_search.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/surface/T_mesh.h>
 
 #include <algorithm>
@@ -61,25 +62,15 @@ class Bezier_extraction
     }
   };
 
-  // a face in the frame of a vertex: a translation and `turns` quarter turns
-  struct Placement
-  {
-    Face face;
-    int turns;
-    std::array<Ticks, 2> origin;
-
-    bool operator==(const Placement& p) const
-    {
-      return face == p.face && turns == p.turns && origin == p.origin;
-    }
-  };
+  typedef Face_search<Point> Search;
+  typedef typename Search::Placement Placement;
 
 public:
   std::vector<Element_function> functions;
   std::vector<Regular_element> elements;
   std::vector<std::size_t> first_element; // of a face, one more than there are faces
 
-  explicit Bezier_extraction(const Mesh& mesh) : m_mesh(mesh)
+  explicit Bezier_extraction(const Mesh& mesh) : m_mesh(mesh), m_search(mesh)
   {
     const std::size_t faces = mesh.mesh().num_faces();
     m_functions_of_face.resize(faces);
@@ -138,61 +129,9 @@ private:
   {
     const std::array<Ticks, 2> extent = {{intervals[0][0] + intervals[0][1],
                                           intervals[1][0] + intervals[1][1]}};
-    m_queue.assign(1, place(h, turns, {{0, 0}}));
-    for(std::size_t i = 0; i < m_queue.size(); ++i)
-    {
-      const Placement p = m_queue[i];
+    for(const Placement& p : m_search(h, turns, extent))
       if(m_is_regular_patch[p.face])
         add_function(v, p, intervals);
-      for(Halfedge g : m_mesh.mesh().halfedges_around_face(m_mesh.halfedge(p.face)))
-      {
-        const Halfedge o = m_mesh.opposite(g);
-        if(m_mesh.is_border(o))
-          continue;
-        const std::array<Ticks, 2> source = transformed(p, m_mesh.local_source(m_mesh.next(g)));
-        const Placement q = place(o, (m_mesh.side(g) + p.turns + 2) & 3, source);
-        if(overlaps(q, extent) && std::find(m_queue.begin(), m_queue.end(), q) == m_queue.end())
-          m_queue.push_back(q);
-      }
-    }
-  }
-
-  static std::array<Ticks, 2> turned(int turns, const std::array<Ticks, 2>& p)
-  {
-    switch(turns)
-    {
-      case 0: return p;
-      case 1: return {{-p[1], p[0]}};
-      case 2: return {{-p[0], -p[1]}};
-      default: return {{p[1], -p[0]}};
-    }
-  }
-
-  static std::array<Ticks, 2> transformed(const Placement& p, const std::array<Ticks, 2>& x)
-  {
-    const std::array<Ticks, 2> y = turned(p.turns, x);
-    return {{p.origin[0] + y[0], p.origin[1] + y[1]}};
-  }
-
-  // places the face of `h` such that `h` begins at `source` and has the given direction
-  Placement place(Halfedge h, int direction, const std::array<Ticks, 2>& source) const
-  {
-    Placement p;
-    p.face = m_mesh.face(h);
-    p.turns = (direction - m_mesh.side(h) + 4) & 3;
-    const std::array<Ticks, 2> y = turned(p.turns, m_mesh.local_source(h));
-    p.origin = {{source[0] - y[0], source[1] - y[1]}};
-    return p;
-  }
-
-  bool overlaps(const Placement& p, const std::array<Ticks, 2>& extent) const
-  {
-    const std::array<Ticks, 2> end
-      = transformed(p, {{m_mesh.extent(p.face, 0), m_mesh.extent(p.face, 1)}});
-    for(int k = 0; k < 2; ++k)
-      if((std::max)(p.origin[k], end[k]) <= 0 || (std::min)(p.origin[k], end[k]) >= extent[k])
-        return false;
-    return true;
   }
 
   void add_function(Vertex v, const Placement& p,
@@ -276,9 +215,9 @@ private:
   }
 
   const Mesh& m_mesh;
+  Search m_search;
   std::vector<std::vector<Face_function> > m_functions_of_face;
   std::vector<bool> m_is_regular_patch;
-  std::vector<Placement> m_queue;
 };
 
 } // namespace internal

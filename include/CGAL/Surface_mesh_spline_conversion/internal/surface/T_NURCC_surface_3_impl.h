@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
+#include <CGAL/Surface_mesh_spline_conversion/internal/surface/Control_point_transfer.h>
 #include <CGAL/T_NURCC_surface_3.h>
 
 #include <algorithm>
@@ -60,6 +61,67 @@ bool T_NURCC_surface_3<K>::is_chain_end(Vertex v) const
     if(m_chain_starts[c] == v && !m_chain_is_closed[c])
       return true;
   return false;
+}
+
+// marks faces with `mark(closure)`, refines, and computes the new control points
+template <typename K>
+template <typename Marker>
+void T_NURCC_surface_3<K>::refine(const Marker& mark)
+{
+  namespace internal = Surface_mesh_spline_conversion::internal;
+  const T_mesh old_mesh = m_mesh;
+  Closure closure(m_mesh, m_units);
+  mark(closure);
+  closure.run();
+  internal::Control_point_transfer<K>(old_mesh, m_basis, m_mesh).run();
+  update();
+}
+
+template <typename K>
+void T_NURCC_surface_3<K>::refine_uniformly()
+{
+  refine([this](Closure& closure)
+  {
+    for(Face f : m_mesh.mesh().faces())
+      for(int axis = 0; axis < 2; ++axis)
+        closure.mark(f, axis);
+  });
+}
+
+template <typename K>
+void T_NURCC_surface_3<K>::refine_boundary(const std::vector<Boundary_span>& spans)
+{
+  refine([&, this](Closure& closure) { mark_spans(spans, closure); });
+}
+
+template <typename K>
+void T_NURCC_surface_3<K>::mark_spans(const std::vector<Boundary_span>& spans,
+                                      Closure& closure) const
+{
+  using namespace Surface_mesh_spline_conversion::internal;
+  for(size_type c = 0; c < number_of_boundary_chains(); ++c)
+  {
+    std::vector<const Boundary_span*> spans_of_chain;
+    for(const Boundary_span& span : spans)
+      if(span.chain == c)
+        spans_of_chain.push_back(&span);
+    if(spans_of_chain.empty())
+      continue;
+    Ticks x = 0;
+    Vertex v = m_chain_starts[c];
+    do
+    {
+      const Halfedge h = m_mesh.star(v).out[0];
+      const double x0 = to_parameter(x);
+      x += m_mesh.length(h);
+      const double x1 = to_parameter(x);
+      for(const Boundary_span* span : spans_of_chain)
+        if(x0 < x1 && CGAL::to_double(span->x0) < x1 && x0 < CGAL::to_double(span->x1))
+          closure.mark(m_mesh.face(h), 0);
+      v = m_mesh.target(h);
+    }
+    while(v != m_chain_starts[c] && (m_chain_is_closed[c] || !is_chain_end(v)));
+  }
 }
 
 template <typename K>

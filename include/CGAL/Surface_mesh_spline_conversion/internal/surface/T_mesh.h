@@ -163,8 +163,8 @@ public:
   }
 
   // splits the face at the middle of its width (axis 0) or height (axis 1); the new edge ends at
-  // existing vertices where there are some, else in the middle of edges
-  void bisect(Face f, int axis)
+  // existing vertices where there are some, else in the middle of edges. Returns both parts.
+  std::array<Face, 2> bisect(Face f, int axis)
   {
     const Ticks offset = middle(f, axis);
     const Halfedge h1 = vertex_on_side(f, axis, offset);
@@ -185,6 +185,7 @@ public:
     m_origin[f2] = r2;
     m_mesh.set_halfedge(f1, reference);
     m_mesh.set_halfedge(f2, axis == 0 ? next(h4) : h4);
+    return {{f1, f2}};
   }
 
   /// \name Frames
@@ -235,9 +236,23 @@ public:
     if(!is_extraordinary(v))
       return m_star[v].interval[m_direction[h]];
     Ray ray;
-    arrive(h, ray);
+    No_observer none;
+    arrive(h, ray, none);
     const Ticks first = length(h);
-    return {{first, advance(ray)}};
+    return {{first, advance(ray, none)}};
+  }
+
+  // follows the knot line that leaves `v` in `direction` over `steps` knot intervals. The observer
+  // is told of the faces it cuts (with the axis of the face that is cut), the edges it runs along,
+  // the edges it crosses in their interior, and the vertices it meets (with its direction there).
+  template <typename Observer>
+  void follow(Vertex v, int direction, int steps, Observer& observer) const
+  {
+    Ray ray;
+    ray.vertex = v;
+    ray.direction = direction;
+    for(int i = 0; i < steps && !ray.is_at_end; ++i)
+      advance(ray, observer);
   }
 
   // checks that faces have four corners, and opposite sides the lengths of their rectangles
@@ -271,6 +286,14 @@ private:
     Ticks position = 0;  // ... at this distance from the start of its side
     bool is_at_end = false;
     Ticks last = 0;      // the interval crossed before
+  };
+
+  struct No_observer
+  {
+    void on_face(Face, int) {}
+    void on_edge(Halfedge) {}
+    void on_crossing(Halfedge) {}
+    void on_vertex(Vertex, int) {}
   };
 
   void add_properties()
@@ -356,30 +379,32 @@ private:
     ray.vertex = v;
     ray.direction = direction;
     std::array<Ticks, 2> result;
+    No_observer none;
     for(Ticks& interval : result)
-      interval = advance(ray);
+      interval = advance(ray, none);
     return result;
   }
 
   // moves the ray to the next knot line and returns the interval; behind an extraordinary point
   // the last interval is repeated, outside of the surface the intervals are zero
-  Ticks advance(Ray& ray) const
+  template <typename Observer>
+  Ticks advance(Ray& ray, Observer& observer) const
   {
     if(ray.is_at_end)
       return ray.last;
     if(ray.edge.is_valid())
-      return cross(ray.edge, ray.position, ray);
+      return cross(ray.edge, ray.position, ray, observer);
     const Star& star = m_star[ray.vertex];
     const Halfedge h = star.out[ray.direction];
     if(h.is_valid())
     {
-      arrive(h, ray);
+      arrive(h, ray, observer);
       return length(h);
     }
     const Halfedge g = star.into[ray.direction];
     if(!g.is_valid())
       return end(ray, 0);
-    return cross(g, m_offset[g] + length(g), ray);
+    return cross(g, m_offset[g] + length(g), ray, observer);
   }
 
   Ticks end(Ray& ray, Ticks last) const
@@ -389,21 +414,28 @@ private:
   }
 
   // sets the ray to the target of `h`, straight on
-  void arrive(Halfedge h, Ray& ray) const
+  template <typename Observer>
+  void arrive(Halfedge h, Ray& ray, Observer& observer) const
   {
+    observer.on_edge(h);
     ray.vertex = target(h);
     ray.edge = Halfedge();
     if(is_extraordinary(ray.vertex))
       end(ray, length(h));
     else
+    {
       ray.direction = (m_direction[opposite(h)] + 2) & 3;
+      observer.on_vertex(ray.vertex, ray.direction);
+    }
   }
 
   // crosses the face of `h` from the point at `position` on the side of `h`
-  Ticks cross(Halfedge h, Ticks position, Ray& ray) const
+  template <typename Observer>
+  Ticks cross(Halfedge h, Ticks position, Ray& ray, Observer& observer) const
   {
     const Face f = face(h);
     const int axis = m_side[h] & 1;
+    observer.on_face(f, axis);
     Ticks rest = extent(f, axis) - position; // on the opposite side, which runs the other way
     Halfedge g = h;
     while(m_side[g] != ((m_side[h] + 2) & 3))
@@ -418,10 +450,12 @@ private:
     {
       ray.vertex = target(g);
       ray.direction = (m_direction[next(g)] + 3) & 3;
+      observer.on_vertex(ray.vertex, ray.direction);
     }
     else
     {
       const Halfedge o = opposite(g);
+      observer.on_crossing(g);
       if(is_border(o))
         end(ray, 0);
       else
