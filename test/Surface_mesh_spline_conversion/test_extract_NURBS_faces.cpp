@@ -30,7 +30,7 @@ Point_3 on_hill(double x, double y, double)
   return Point_3(RADIUS * x + std::sin(3 * y) / 2, RADIUS * y, 3 * std::cos(2 * x) * std::cos(1.5 * y));
 }
 
-// the first corner of a bicubic face is a point of its patch, at a multiple of 1/16 of its sides
+// the first corner of a bicubic face is a point of its patch, at a multiple of 1/32 of its sides
 void check_vertices(const CGAL::T_NURCC_surface_3<K>& surface, const Shell& shell)
 {
   for(std::size_t f = 0; f < shell.number_of_faces(); ++f)
@@ -41,20 +41,24 @@ void check_vertices(const CGAL::T_NURCC_surface_3<K>& surface, const Shell& shel
     double best = 1e9;
     const auto o = surface.patch_origin(face.patch);
     const Point_3 p = face.surface.control_point(0, 0);
-    for(int k = 0; k < 17 * 17; ++k)
+    for(int k = 0; k < 33 * 33; ++k)
     {
-      const double u = o.u0 + (o.u1 - o.u0) * (k % 17) / 16, v = o.v0 + (o.v1 - o.v0) * (k / 17) / 16;
+      const double u = o.u0 + (o.u1 - o.u0) * (k % 33) / 32, v = o.v0 + (o.v1 - o.v0) * (k / 33) / 32;
       best = (std::min)(best, (p - surface.position(face.patch, u, v)).squared_length());
     }
     assert(best < 1e-24 * RADIUS * RADIUS);
   }
 }
 
+// a negative number of border edges stands for any
 void test(const std::string& name, const Quad_layout& layout, long euler_characteristic,
-          long number_of_border_edges, bool is_smooth)
+          long number_of_border_edges, bool is_smooth, int number_of_refinements = 0)
 {
-  const CGAL::T_NURCC_surface_3<K> surface(layout);
+  CGAL::T_NURCC_surface_3<K> surface(layout);
   assert(surface.error() == SMSC::Error_code::OK);
+  for(int i = 0; i < number_of_refinements; ++i)
+    surface.refine_boundary({{0, 0, std::ldexp(1., -i)}});
+  assert(number_of_refinements == 0 || surface.number_of_t_junctions() > 0);
   std::size_t faces = 0;
   for(bool merge : {false, true})
   {
@@ -70,7 +74,8 @@ void test(const std::string& name, const Quad_layout& layout, long euler_charact
     assert(!is_smooth || checks.largest_angle < 1e-8);
     assert(statistics.number_of_caps == surface.number_of_extraordinary_points());
     assert(statistics.number_of_sharp_caps == 0);
-    assert(!merge || checks.number_of_border_edges == number_of_border_edges);
+    assert(!merge || number_of_border_edges < 0
+           || checks.number_of_border_edges == number_of_border_edges);
     assert(!merge || shell.number_of_faces() < faces);
     faces = shell.number_of_faces();
     check_vertices(surface, shell);
@@ -142,10 +147,11 @@ int main()
   auto is_corner = [](const Point_3& p)
   { return p.z() > 0 && std::abs(std::abs(p.x()) - std::abs(p.y())) < 1e-9; };
   test("cup with corners", block_layout<K>(cube_blocks(true), 4, on_sphere, is_corner), 1, 5, false);
-  for(int n : {3, 5, 6, 8})
-    test("polygon " + std::to_string(n), block_layout<K>(polygon_blocks(n), 1, on_hill), 1, 2 * n,
-         true);
-  test("polygon 7", block_layout<K>(polygon_blocks(7), 2, on_hill), 1, 14, true);
+  for(int n : {3, 5, 6, 7, 8})
+    test("polygon " + std::to_string(n),
+         block_layout<K>(polygon_blocks(n), (n < 7) ? 1 : 2, on_hill), 1, 2 * n, true);
+  test("refined polygon 5", block_layout<K>(polygon_blocks(5), 3, on_hill), 1, -1, true, 3);
+  test("refined cup", block_layout<K>(cube_blocks(true), 4, on_sphere), 1, -1, true, 3);
   test_boundary_vertices();
   test_obj();
   return 0;
