@@ -18,6 +18,8 @@
 #include <memory>
 #include <vector>
 
+namespace SC = CGAL::Surface_mesh_spline_conversion;
+
 namespace synthetic {
 
 typedef CGAL::Simple_cartesian<double> Kernel;
@@ -25,7 +27,6 @@ typedef Kernel::Point_3 Point;
 typedef Kernel::Vector_3 Vector;
 typedef CGAL::Surface_mesh<Point> Mesh;
 typedef boost::graph_traits<Mesh>::halfedge_descriptor halfedge_descriptor;
-namespace SC = CGAL::Surface_mesh_spline_conversion;
 typedef SC::Function_curve_traits_3<Kernel> Curve_traits;
 typedef SC::Boundary_curve_network_3<Mesh, Curve_traits> Network;
 typedef SC::Quad_layout<Kernel> Layout;
@@ -37,6 +38,7 @@ struct Surface
   std::function<Point(double, double)> point;
   std::function<Vector(double, double, int, int)> derivative;
   bool is_periodic = false; // in the first parameter
+  bool has_corner = false;  // at (1/2, 0); the derivatives are those on the side of the argument
 };
 
 // the i-th derivative of sin(w x + p)
@@ -58,6 +60,34 @@ inline Surface height_field(double amplitude)
   {
     return Vector(i == 1 && j == 0 ? 1 : 0, i == 0 && j == 1 ? 1 : 0, z(a, b, i, j));
   };
+  return s;
+}
+
+// the graph of z = sin(3 x + 1/2) / 5 + 3 y^2 / 10 over a domain whose lower side has a corner in
+// the middle; pure derivatives only
+inline Surface notched_graph()
+{
+  auto y = [](double a, double b, int i, int j)
+  {
+    const double slope = a < 0.5 ? -0.4 : 0.4;
+    if(i + j > 1)
+      return 0.;
+    return i == 1 ? slope * (1 - b) : (j == 1 ? 1 - slope * (a - 0.5)
+                                              : b + slope * (a - 0.5) * (1 - b));
+  };
+  Surface s;
+  s.has_corner = true;
+  s.derivative = [y](double a, double b, int i, int j)
+  {
+    const int order = i + j;
+    const double first = i > 0 ? y(a, b, 1, 0) : y(a, b, 0, 1), value = y(a, b, 0, 0);
+    const double square = order == 0 ? value * value
+                          : (order == 1 ? 2 * value * first : (order == 2 ? 2 * first * first : 0));
+    const double wave = j == 0 ? sine(3, a, 0.5, i) : 0;
+    return Vector(order == 0 ? a : (i == 1 ? 1 : 0), y(a, b, i, j), 0.2 * wave + 0.3 * square);
+  };
+  const auto at = s.derivative;
+  s.point = [at](double a, double b) { return CGAL::ORIGIN + at(a, b, 0, 0); };
   return s;
 }
 
@@ -157,9 +187,12 @@ private:
       }
   }
 
-  // the side of the parameter rectangle from one corner to the next, counter clockwise
+  // the side of the parameter rectangle from one corner to the next, counter clockwise; side 4 is
+  // the first half of side 0
   Curve_traits::Curve_3 side_curve(int side) const
   {
+    if(side == 4)
+      return first_half_of_lower_side();
     const Surface s = m_surface;
     const double sign = side < 2 ? 1 : -1;
     auto place = [side](double t)
@@ -182,6 +215,16 @@ private:
       });
   }
 
+  Curve_traits::Curve_3 first_half_of_lower_side() const
+  {
+    const Surface s = m_surface;
+    const double before_corner = 0.5 - 1e-13;
+    return Curve_traits::Curve_3(
+      [s](double t) { return s.point(t, 0); },
+      [s, before_corner](double t, int order)
+      { return s.derivative((std::min)(t, before_corner), 0, order, 0); });
+  }
+
   void add_segment(int side, int k, int cells, std::size_t from, std::size_t to)
   {
     const halfedge_descriptor h
@@ -194,11 +237,12 @@ private:
   {
     m_segments = m_mesh.add_property_map<halfedge_descriptor, SC::Curve_segment<Curve_traits> >(
       "h:segment").first;
-    for(int side = 0; side < 4; ++side)
+    for(int side = 0; side < 5; ++side)
       m_curves.push_back(side_curve(side));
     for(int i = 0; i < m_columns; ++i)
     {
-      add_segment(0, i, m_columns, vertex_id(i, 0), vertex_id(i + 1, 0));
+      add_segment(m_surface.has_corner && 2 * i < m_columns ? 4 : 0, i, m_columns,
+                  vertex_id(i, 0), vertex_id(i + 1, 0));
       add_segment(2, i, m_columns, vertex_id(m_columns - i, m_rows),
                   vertex_id(m_columns - i - 1, m_rows));
     }
@@ -280,6 +324,8 @@ private:
     if(!m_surface.is_periodic)
       for(int k = 0; k < 4; ++k)
         m_layout.set_corner(layout_vertex(k % 3 == 0 ? 0 : m_m, k < 2 ? 0 : m_n), true);
+    if(m_surface.has_corner)
+      m_layout.set_corner(layout_vertex(m_m / 2, 0), true);
   }
 
   double arc_length(std::size_t quad, int corner, int side, std::size_t& chain) const
@@ -288,7 +334,9 @@ private:
     const std::array<double, 2> ab = parameters(quad, uv[corner & 3][0], uv[corner & 3][1]);
     const double t = side % 2 == 0 ? ab[0] : ab[1], x = side < 2 ? t : 1 - t;
     const int cells = side % 2 == 0 ? m_columns : m_rows;
-    const int edge = (std::max)(0, (std::min)(int(x * cells), cells - 1));
+    // the end of a side lies on the edge before it: a corner may follow
+    const int cell = corner == side ? int(x * cells + 1e-9) : int(std::ceil(x * cells - 1e-9)) - 1;
+    const int edge = (std::max)(0, (std::min)(cell, cells - 1));
     const std::size_t vertices[4][2] = {
       {vertex_id(edge, 0), vertex_id(edge + 1, 0)},
       {vertex_id(m_columns, edge), vertex_id(m_columns, edge + 1)},

@@ -7,6 +7,8 @@
 
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/Cubic_spline_basis.h>
 
+namespace SC = CGAL::Surface_mesh_spline_conversion;
+
 namespace synthetic {
 
 class Tensor_product_surface

@@ -1,10 +1,11 @@
 // Generated seamless maps for the tests of T-mesh, quantization and layout: surfaces of voxel
-// sets. Every voxel face is a square chart of `2^bits` units, cut into `n x n` small squares and
+// sets. Every voxel face is a square chart of `edge` units, cut into `n x n` small squares and
 // these into triangles, so that isolines run along edges and through vertices everywhere: the
 // degenerate cases of the tracer are the rule here.
 #ifndef TEST_VOXEL_SEAMLESS_MAPS_H
 #define TEST_VOXEL_SEAMLESS_MAPS_H
 
+#include <CGAL/Surface_mesh_spline_conversion/internal/map/Cut_graph.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/map/chart_navigation.h>
 
 #include <algorithm>
@@ -141,10 +142,40 @@ inline void jitter(Seamless_map& map, int amount, std::mt19937& random)
   }
 }
 
+// changes the charts such that transitions are trivial where the cut graph does not cut
+inline void comb(Seamless_map& map)
+{
+  const internal::Cut_graph cut(map.mesh, map.rotation, map.cone);
+  for(int c = 0; c < map.mesh.number_of_halfedges(); ++c)
+    map.coordinates[c] = rotate(-cut.turns(c / 3), map.coordinates[c]);
+  map.rotation = cut.rotation();
+  std::vector<char> is_visited(map.mesh.number_of_faces(), 0);
+  std::vector<int> stack(cut.roots());
+  for(int root : stack)
+    is_visited[root] = 1;
+  while(!stack.empty())
+  {
+    const int f = stack.back();
+    stack.pop_back();
+    for(int h = 3 * f; h < 3 * f + 3; ++h)
+    {
+      if(map.mesh.is_border(h) || cut.branch(h) >= 0
+         || is_visited[map.mesh.opposite[h] / 3])
+        continue;
+      const int g = map.mesh.opposite[h] / 3;
+      is_visited[g] = 1;
+      const Fixed_point_2 t = map.translation(h);
+      for(int c = 3 * g; c < 3 * g + 3; ++c)
+        map.coordinates[c] = minus(map.coordinates[c], t);
+      stack.push_back(g);
+    }
+  }
+}
+
 struct Voxel_surface_options
 {
   int subdivision = 2;         // small squares along a voxel edge
-  int bits = 20;               // units of a voxel edge
+  std::int64_t edge = 1 << 20; // units of a voxel edge
   int fractional_bits = 20;
   int jitter = 0;              // units
   double hole_probability = 0; // of a voxel face
@@ -158,7 +189,7 @@ inline bool make_voxel_map(const std::set<Lattice_point>& voxels,
   map = Seamless_map();
   map.fractional_bits = options.fractional_bits;
   const int n = options.subdivision;
-  const std::int64_t unit = (std::int64_t(1) << options.bits) / n;
+  const std::int64_t unit = options.edge / n;
   std::map<Lattice_point, int> vertex;
   auto add_corner = [&](const Lattice_point& p)
   {
@@ -213,7 +244,59 @@ inline bool make_voxel_map(const std::set<Lattice_point>& voxels,
   for(int v = 0; v < map.mesh.number_of_vertices(); ++v)
     map.mesh.is_corner[v] = map.mesh.is_border_vertex(v) && map.cone[v] != 2;
   make_chains(map.mesh);
+  comb(map);
+  map.size.assign(map.mesh.number_of_vertices(),
+                  std::ldexp(1., options.fractional_bits) / options.edge);
   return true;
+}
+
+// A map of a parallelogram, `columns` x `rows` squares whose rows are shifted by `shear` units, with
+// its left and right side glued and, if `is_torus`, also bottom and top: no vertex is singular.
+// The points lie on a torus or a cylinder.
+inline Seamless_map make_flat_map(int columns, int rows, std::int64_t edge, std::int64_t shear,
+                                  bool is_torus, int fractional_bits)
+{
+  Seamless_map map;
+  map.fractional_bits = fractional_bits;
+  const double full = 4 * std::acos(0.);
+  const int number_of_rows_of_points = is_torus ? rows : rows + 1;
+  for(int j = 0; j < number_of_rows_of_points; ++j)
+    for(int i = 0; i < columns; ++i)
+    {
+      const double a = full * i / columns, b = full * j / rows;
+      if(is_torus)
+        map.mesh.points.emplace_back((3 + std::cos(b)) * std::cos(a),
+                                     (3 + std::cos(b)) * std::sin(a), std::sin(b));
+      else
+        map.mesh.points.emplace_back(std::cos(a), std::sin(a), full * j / columns);
+    }
+  for(int j = 0; j < rows; ++j)
+    for(int i = 0; i < columns; ++i)
+      for(const std::array<int, 3>& t : {std::array<int, 3>{{0, 1, 2}},
+                                         std::array<int, 3>{{0, 2, 3}}})
+      {
+        std::array<int, 3> id;
+        for(int k = 0; k < 3; ++k)
+        {
+          const int a = i + ((t[k] == 1 || t[k] == 2) ? 1 : 0), b = j + (t[k] >= 2 ? 1 : 0);
+          id[k] = (b % number_of_rows_of_points) * columns + a % columns;
+          map.coordinates.push_back({{a * edge + b * shear, b * edge}});
+        }
+        map.mesh.triangles.push_back(id);
+      }
+  map.mesh.is_corner.assign(map.mesh.points.size(), 0);
+  map.mesh.parent.resize(map.mesh.triangles.size());
+  for(std::size_t f = 0; f < map.mesh.parent.size(); ++f)
+    map.mesh.parent[f] = f;
+  const bool is_manifold = connect(map);
+  assert(is_manifold);
+  (void)is_manifold;
+  measure_cones(map);
+  make_chains(map.mesh);
+  comb(map);
+  map.size.assign(map.mesh.points.size(),
+                  full / columns * std::ldexp(1., fractional_bits) / edge);
+  return map;
 }
 
 // a random connected voxel set

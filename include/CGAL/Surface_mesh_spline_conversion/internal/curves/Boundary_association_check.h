@@ -53,8 +53,8 @@ public:
           return edge_name(i) + ": " + defect;
     if(const std::string defect = check_reversed_loop(); !defect.empty())
       return defect;
-    for(const auto check : {&Self::check_reversed_edge, &Self::check_monotonicity,
-                            &Self::check_ends, &Self::check_direction})
+    for(const auto check : {&Self::check_reversed_edge, &Self::check_direction,
+                            &Self::check_monotonicity, &Self::check_ends})
       for(size_type i = 0; i < m_segments.size(); ++i)
         if(const std::string defect = (this->*check)(i); !defect.empty())
           return edge_name(i) + ": " + defect;
@@ -169,12 +169,14 @@ private:
   }
 
   // An arc of more than half a turn leaves and arrives against the direction of its edge: then the
-  // parameters lead the long way round a closed curve.
+  // parameters lead the long way round a closed curve. (Where not even the ends fit, there are better
+  // messages.)
   std::string check_direction(size_type i) const
   {
     const Oriented_segment<Traits> curve(m_traits, m_segments[i]);
     const Vector_3 chord = m_points[next(i)] - m_points[i];
-    const bool is_against = curve.derivative_at_begin(1) * chord < FT(0)
+    const bool is_against = check_ends(i).empty()
+                            && curve.derivative_at_begin(1) * chord < FT(0)
                             && curve.derivative_at_end(1) * chord < FT(0);
     if(!is_against)
       return std::string();

@@ -44,7 +44,7 @@ public:
     : m_points(converted(points)),
       m_tree(boost::counting_iterator<std::size_t>(0),
              boost::counting_iterator<std::size_t>(points.size()), typename Search::Splitter(),
-             Traits(CGAL::make_property_map(std::as_const(m_points))))
+             Traits(point_map()))
   {
     if(!m_points.empty())
       m_tree.build();
@@ -60,7 +60,7 @@ public:
   {
     if(m_points.empty())
       return std::vector<std::size_t>();
-    const typename Search::Distance distance(CGAL::make_property_map(m_points));
+    const typename Search::Distance distance(point_map());
     const Search search(m_tree, Kernel::Point_3(p.x(), p.y(), p.z()), k, 0, true, distance);
     std::vector<std::pair<double, std::size_t> > order;
     for(const auto& neighbor : search)
@@ -73,6 +73,8 @@ public:
   }
 
 private:
+  Point_map point_map() const { return CGAL::make_property_map(m_points); }
+
   static std::vector<Kernel::Point_3> converted(const std::vector<Eigen::Vector3d>& points)
   {
     std::vector<Kernel::Point_3> result;

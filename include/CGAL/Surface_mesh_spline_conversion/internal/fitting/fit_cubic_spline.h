@@ -67,6 +67,8 @@ public:
       return false;
     for(Eigen::Vector3d& p : m_polygon)
       p += m_origin;
+    if(!m_basis.is_periodic())
+      m_polygon.back() = m_target.point(m_basis.span_end(m_basis.number_of_spans() - 1));
     return true;
   }
 

@@ -101,15 +101,15 @@ public:
   Rectangle_composition(const Seamless_map& map, const Motorcycle_graph& graph,
                         const std::vector<int>& lengths, const Boundary_positions& positions,
                         Quad_grid& quads, Triangle_locator& locator)
-    : m_map(map), m_t_mesh(graph), m_lengths(lengths), m_positions(positions), m_quads(quads),
+    : m_map(map), m_graph(graph), m_lengths(lengths), m_positions(positions), m_quads(quads),
       m_locator(locator), m_unit(std::ldexp(1., map.fractional_bits))
   {}
 
   // returns an empty string or what is wrong
   const char* build()
   {
-    m_unit_sides.resize(m_t_mesh.number_of_half_arcs());
-    for(int r = 0; r < static_cast<int>(m_t_mesh.rectangles.size()); ++r)
+    m_unit_sides.resize(m_graph.number_of_half_arcs());
+    for(int r = 0; r < static_cast<int>(m_graph.rectangles.size()); ++r)
       if(!add_rectangle(r))
         return "a rectangle of the motorcycle graph cannot be developed";
     if(!link_across_arcs() || !m_quads.number_vertices())
@@ -132,7 +132,7 @@ private:
 
   bool add_rectangle(int r)
   {
-    const Motorcycle_graph::Rectangle& rectangle = m_t_mesh.rectangles[r];
+    const Motorcycle_graph::Rectangle& rectangle = m_graph.rectangles[r];
     Rectangle_shears shears;
     shears.bottom = side_function(rectangle.sides[0]);
     shears.right = side_function(rectangle.sides[1]);
@@ -162,7 +162,7 @@ private:
     for(int h : half_arcs)
     {
       argument += m_lengths[h / 2];
-      value += m_t_mesh.length(h);
+      value += m_graph.length(h);
       f.add(argument, static_cast<double>(value) / m_unit);
     }
     return f;
@@ -171,11 +171,11 @@ private:
   // Finds all faces that overlap the interior of a rectangle, in its chart.
   bool develop_rectangle(int r, std::vector<Placed_face>& faces) const
   {
-    Chart_ray ray = m_t_mesh.ray(m_t_mesh.rectangles[r].sides[0].front());
+    Chart_ray ray = m_graph.ray(m_graph.rectangles[r].sides[0].front());
     if(!move_to_face_on_the_left(m_map, ray))
       return false;
     const Fixed_point_2 turned = rotate(-ray.direction, ray.point);
-    const Open_box box{{{0, 0}}, {{m_t_mesh.side_length(r, 0), m_t_mesh.side_length(r, 1)}}};
+    const Open_box box{{{0, 0}}, {{m_graph.side_length(r, 0), m_graph.side_length(r, 1)}}};
     faces.assign(1, Placed_face{ray.face, -ray.direction & 3, {{-turned[0], -turned[1]}}});
     std::set<Placement_key> found;
     found.insert(key(faces[0]));
@@ -256,16 +256,16 @@ private:
 
   bool link_across_arcs()
   {
-    for(int a = 0; a < static_cast<int>(m_t_mesh.arcs.size()); ++a)
+    for(int a = 0; a < static_cast<int>(m_graph.arcs.size()); ++a)
     {
       const std::vector<Quad_grid::Side>& left = m_unit_sides[2 * a];
       const std::vector<Quad_grid::Side>& right = m_unit_sides[2 * a + 1];
       const int n = m_lengths[a];
       for(int k = 0; k < n; ++k)
-        if(m_t_mesh.arcs[a].is_on_boundary ? !m_quads.make_border(left[k])
+        if(m_graph.arcs[a].is_on_boundary ? !m_quads.make_border(left[k])
                                            : !m_quads.link(left[k], right[n - 1 - k]))
           return false;
-      if(m_t_mesh.arcs[a].is_on_boundary && !set_border_pieces(a))
+      if(m_graph.arcs[a].is_on_boundary && !set_border_pieces(a))
         return false;
     }
     return true;
@@ -273,14 +273,14 @@ private:
 
   bool set_border_pieces(int a)
   {
-    const Chart_ray& start = m_t_mesh.arcs[a].ray[0];
+    const Chart_ray& start = m_graph.arcs[a].ray[0];
     const int h = border_halfedge(start);
     if(h < 0)
       return false;
     const Fixed_point_2 offset = minus(start.point, m_map.coordinates[h]);
     const std::int64_t sum = offset[0] + offset[1];
     const double begin = static_cast<double>(m_positions.position(h) + (sum < 0 ? -sum : sum));
-    const double step = static_cast<double>(m_t_mesh.arcs[a].length) / m_lengths[a];
+    const double step = static_cast<double>(m_graph.arcs[a].length) / m_lengths[a];
     for(int k = 0; k < m_lengths[a]; ++k)
     {
       const Quad_grid::Side& side = m_unit_sides[2 * a][k];
@@ -309,9 +309,9 @@ private:
   // A half-arc starts at the source of its first unit side.
   bool attach_vertices()
   {
-    for(int h = 0; h < m_t_mesh.number_of_half_arcs(); ++h)
+    for(int h = 0; h < m_graph.number_of_half_arcs(); ++h)
     {
-      const int v = m_t_mesh.nodes[m_t_mesh.source(h)].vertex;
+      const int v = m_graph.nodes[m_graph.source(h)].vertex;
       if(v < 0 || m_unit_sides[h].empty())
         continue;
       const Quad_grid::Side& side = m_unit_sides[h].front();
@@ -322,7 +322,7 @@ private:
   }
 
   const Seamless_map& m_map;
-  const Motorcycle_graph& m_t_mesh;
+  const Motorcycle_graph& m_graph;
   const std::vector<int>& m_lengths;
   const Boundary_positions& m_positions;
   Quad_grid& m_quads;

@@ -29,7 +29,7 @@ class Quantization
 {
 public:
   Quantization(const Motorcycle_graph& graph, int fractional_bits)
-    : m_t_mesh(graph), m_targets(real_lengths(graph, fractional_bits)),
+    : m_graph(graph), m_targets(real_lengths(graph, fractional_bits)),
       m_network(graph, m_targets), m_oracle(graph)
   {
     find_loops();
@@ -81,14 +81,14 @@ private:
   // Collects the boundary arcs per loop, and the bounds that give every loop enough sides.
   void find_loops()
   {
-    m_positive_bounds.assign(m_t_mesh.arcs.size(), 1);
-    std::vector<char> is_visited(m_t_mesh.arcs.size(), 0);
-    for(int first = 0; first < static_cast<int>(m_t_mesh.arcs.size()); ++first)
+    m_positive_bounds.assign(m_graph.arcs.size(), 1);
+    std::vector<char> is_visited(m_graph.arcs.size(), 0);
+    for(int first = 0; first < static_cast<int>(m_graph.arcs.size()); ++first)
     {
-      if(!m_t_mesh.arcs[first].is_on_boundary || is_visited[first])
+      if(!m_graph.arcs[first].is_on_boundary || is_visited[first])
         continue;
       m_loops.emplace_back();
-      for(int a = first; !is_visited[a]; a = m_t_mesh.nodes[m_t_mesh.arcs[a].node[1]].slots[0] / 2)
+      for(int a = first; !is_visited[a]; a = m_graph.nodes[m_graph.arcs[a].node[1]].slots[0] / 2)
       {
         is_visited[a] = 1;
         m_loops.back().push_back(a);
@@ -169,7 +169,7 @@ private:
     return false;
   }
 
-  const Motorcycle_graph& m_t_mesh;
+  const Motorcycle_graph& m_graph;
   std::vector<double> m_targets;
   Length_network m_network;
   Quantization_oracle m_oracle;

@@ -30,7 +30,7 @@ class Quantization_oracle
 {
 public:
   explicit Quantization_oracle(const Motorcycle_graph& graph)
-    : m_t_mesh(graph), m_euler_characteristic(graph.euler_characteristic())
+    : m_graph(graph), m_euler_characteristic(graph.euler_characteristic())
   {}
 
   bool operator()(const std::vector<int>& lengths)
@@ -38,7 +38,7 @@ public:
     number_points(lengths);
     for(std::size_t a = 0; a < lengths.size(); ++a)
       if(lengths[a] == 0)
-        unite(m_t_mesh.arcs[a].node[0], m_t_mesh.arcs[a].node[1]);
+        unite(m_graph.arcs[a].node[0], m_graph.arcs[a].node[1]);
     if(!collapse_rectangles(lengths))
       return false;
     count_quads(lengths);
@@ -57,7 +57,7 @@ private:
 
   void number_points(const std::vector<int>& lengths)
   {
-    int n = static_cast<int>(m_t_mesh.nodes.size());
+    int n = static_cast<int>(m_graph.nodes.size());
     m_first_point.resize(lengths.size());
     for(std::size_t a = 0; a < lengths.size(); ++a)
     {
@@ -83,21 +83,21 @@ private:
   void get_side_points(const std::vector<int>& half_arcs, const std::vector<int>& lengths,
                        std::vector<int>& points) const
   {
-    points.assign(1, m_t_mesh.source(half_arcs.front()));
+    points.assign(1, m_graph.source(half_arcs.front()));
     for(int h : half_arcs)
     {
       const int a = h / 2, n = lengths[a];
       for(int i = 1; i < n; ++i)
         points.push_back(m_first_point[a] + ((h & 1) ? n - 1 - i : i - 1));
       if(n > 0)
-        points.push_back(m_t_mesh.target(h));
+        points.push_back(m_graph.target(h));
     }
   }
 
   // identifies opposite sides of rectangles without width; `false` if opposite sides differ
   bool collapse_rectangles(const std::vector<int>& lengths)
   {
-    for(const Motorcycle_graph::Rectangle& rectangle : m_t_mesh.rectangles)
+    for(const Motorcycle_graph::Rectangle& rectangle : m_graph.rectangles)
     {
       std::array<std::size_t, 2> size;
       for(int direction = 0; direction < 2; ++direction)
@@ -129,7 +129,7 @@ private:
   {
     m_number_of_quads = 0;
     m_number_of_inner_points = 0;
-    for(const Motorcycle_graph::Rectangle& rectangle : m_t_mesh.rectangles)
+    for(const Motorcycle_graph::Rectangle& rectangle : m_graph.rectangles)
     {
       const std::int64_t w = side_size(rectangle.sides[0], lengths);
       const std::int64_t h = side_size(rectangle.sides[1], lengths);
@@ -150,9 +150,9 @@ private:
   bool has_right_vertices(const std::vector<int>& lengths)
   {
     std::int64_t number_of_border_sides = 0;
-    for(std::size_t i = 0; i < m_t_mesh.nodes.size(); ++i)
+    for(std::size_t i = 0; i < m_graph.nodes.size(); ++i)
     {
-      const Motorcycle_graph::Node& node = m_t_mesh.nodes[i];
+      const Motorcycle_graph::Node& node = m_graph.nodes[i];
       Point_class& c = m_classes[find(static_cast<int>(i))];
       c.is_on_boundary = c.is_on_boundary || node.is_on_boundary;
       c.number_of_critical += node.is_critical() ? 1 : 0;
@@ -160,7 +160,7 @@ private:
         c.critical_angle = node.quarter_turns;
     }
     for(std::size_t a = 0; a < lengths.size(); ++a)
-      if(m_t_mesh.arcs[a].is_on_boundary)
+      if(m_graph.arcs[a].is_on_boundary)
       {
         number_of_border_sides += lengths[a];
         for(int i = 1; i < lengths[a]; ++i)
@@ -182,7 +182,7 @@ private:
            == 2 * m_euler_characteristic;
   }
 
-  const Motorcycle_graph& m_t_mesh;
+  const Motorcycle_graph& m_graph;
   std::int64_t m_euler_characteristic;
   std::int64_t m_number_of_quads = 0;
   std::int64_t m_number_of_inner_points = 0;

@@ -31,13 +31,13 @@ class Motorcycle_graph_builder
 
 public:
   Motorcycle_graph_builder(const Seamless_map& map, Motorcycle_graph& graph)
-    : m_map(map), m_mesh(map.mesh), m_t_mesh(graph), m_tracer(map)
+    : m_map(map), m_mesh(map.mesh), m_graph(graph), m_tracer(map)
   {}
 
   // returns an empty string or says what is wrong with the map
   const char* build()
   {
-    m_t_mesh = Motorcycle_graph();
+    m_graph = Motorcycle_graph();
     if(!add_sources())
       return "the cones of the seamless map do not agree with its coordinates";
     if(!m_tracer.run())
@@ -145,7 +145,7 @@ private:
   void add_source_nodes()
   {
     for(const Motorcycle_tracer::Source& source : m_tracer.sources())
-      m_t_mesh.nodes.push_back(Motorcycle_graph::Node{
+      m_graph.nodes.push_back(Motorcycle_graph::Node{
         source.vertex, m_mesh.is_border_vertex(source.vertex), m_map.cone[source.vertex],
         std::vector<int>(source.number_of_slots, -1)});
   }
@@ -206,9 +206,9 @@ private:
 
   int add_node(bool is_on_boundary)
   {
-    m_t_mesh.nodes.push_back(Motorcycle_graph::Node{-1, is_on_boundary, is_on_boundary ? 2 : 4,
+    m_graph.nodes.push_back(Motorcycle_graph::Node{-1, is_on_boundary, is_on_boundary ? 2 : 4,
                                           std::vector<int>(is_on_boundary ? 3 : 4, -1)});
-    return static_cast<int>(m_t_mesh.nodes.size()) - 1;
+    return static_cast<int>(m_graph.nodes.size()) - 1;
   }
 
   // One node per point of a line: traces that arrive from both sides share it.
@@ -292,7 +292,7 @@ private:
       if(!add_arc(ray, part_of_path(path, from.step, node.step), node.position - from.position,
                   {{from.node, node.node}}, {{slot, 2}}, false))
         return false;
-      ray = m_t_mesh.arcs.back().ray[1];
+      ray = m_graph.arcs.back().ray[1];
       from = node;
       slot = 0;
     }
@@ -307,13 +307,13 @@ private:
                const std::array<int, 2>& nodes, const std::array<int, 2>& slots,
                bool is_on_boundary)
   {
-    if(length <= 0 || nodes[1] < 0 || m_t_mesh.nodes[nodes[0]].slots[slots[0]] >= 0
-       || m_t_mesh.nodes[nodes[1]].slots[slots[1]] >= 0)
+    if(length <= 0 || nodes[1] < 0 || m_graph.nodes[nodes[0]].slots[slots[0]] >= 0
+       || m_graph.nodes[nodes[1]].slots[slots[1]] >= 0)
       return false;
     Chart_ray end = ray;
     end.point[along_axis(ray.direction)] += axis_sign(ray.direction) * length;
     end = develop(m_map, end, path);
-    const int vertex = m_t_mesh.nodes[nodes[1]].vertex;
+    const int vertex = m_graph.nodes[nodes[1]].vertex;
     if(vertex >= 0)
     {
       const int corner = corner_of_vertex(m_mesh, end.face, vertex);
@@ -322,7 +322,7 @@ private:
     }
     else if(!is_in_triangle(m_map, end.face, end.point))
       return false;
-    m_t_mesh.add_arc(Motorcycle_graph::Arc{nodes, slots, {{ray, end}}, std::move(path), length,
+    m_graph.add_arc(Motorcycle_graph::Arc{nodes, slots, {{ray, end}}, std::move(path), length,
                                  is_on_boundary});
     return true;
   }
@@ -330,7 +330,7 @@ private:
   bool add_boundary_arcs()
   {
     for(int n = 0; n < static_cast<int>(m_tracer.sources().size()); ++n)
-      if(m_t_mesh.nodes[n].is_on_boundary && !add_boundary_arcs_from(n))
+      if(m_graph.nodes[n].is_on_boundary && !add_boundary_arcs_from(n))
         return false;
     return true;
   }
@@ -338,7 +338,7 @@ private:
   // Adds the boundary arcs from the source `n` to the next source.
   bool add_boundary_arcs_from(int n)
   {
-    int h = m_mesh.vertex_halfedge[m_t_mesh.nodes[n].vertex];
+    int h = m_mesh.vertex_halfedge[m_graph.nodes[n].vertex];
     Chart_ray ray = border_ray(h, 0);
     std::int64_t length = 0;
     std::vector<int> path;
@@ -363,7 +363,7 @@ private:
       const int source = m_tracer.source_of_vertex(m_mesh.target(h));
       if(source >= 0)
       {
-        const int slot = static_cast<int>(m_t_mesh.nodes[source].slots.size()) - 1;
+        const int slot = static_cast<int>(m_graph.nodes[source].slots.size()) - 1;
         return add_arc(ray, std::move(path), length, {{node, source}}, {{0, slot}}, true);
       }
       Fan_position fan{Working_mesh::next(h), 0, {}};
@@ -397,19 +397,19 @@ private:
   // Checks the invariants of a motorcycle graph.
   const char* check()
   {
-    for(const Motorcycle_graph::Node& node : m_t_mesh.nodes)
+    for(const Motorcycle_graph::Node& node : m_graph.nodes)
     {
       const auto empty = std::count(node.slots.begin(), node.slots.end(), -1);
       if(empty > (node.is_critical() || node.is_on_boundary ? 0 : 1))
         return "a slot of a node of the motorcycle graph is empty";
     }
-    if(!m_t_mesh.find_rectangles())
+    if(!m_graph.find_rectangles())
       return "a face of the motorcycle graph is no rectangle";
-    for(int r = 0; r < static_cast<int>(m_t_mesh.rectangles.size()); ++r)
+    for(int r = 0; r < static_cast<int>(m_graph.rectangles.size()); ++r)
       for(int side = 0; side < 2; ++side)
-        if(m_t_mesh.side_length(r, side) != m_t_mesh.side_length(r, side + 2))
+        if(m_graph.side_length(r, side) != m_graph.side_length(r, side + 2))
           return "opposite sides of a rectangle differ in length";
-    if(m_t_mesh.euler_characteristic() != euler_characteristic(m_mesh))
+    if(m_graph.euler_characteristic() != euler_characteristic(m_mesh))
       return "the motorcycle graph does not have the topology of the mesh";
     return "";
   }
@@ -424,7 +424,7 @@ private:
 
   const Seamless_map& m_map;
   const Working_mesh& m_mesh;
-  Motorcycle_graph& m_t_mesh;
+  Motorcycle_graph& m_graph;
   Motorcycle_tracer m_tracer;
   std::vector<std::vector<Hit> > m_hits;                       // per line
   std::vector<std::vector<Line_node> > m_line_nodes;           // per line

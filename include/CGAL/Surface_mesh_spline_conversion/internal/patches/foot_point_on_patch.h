@@ -59,9 +59,6 @@ private:
   // a step stays within a quarter of a quad, as elsewhere
   static FT largest_step() { return FT(0.25); }
 
-  // a step that moves the point by less does not change the distance by a measurable amount
-  static FT smallest_step() { return FT(1e-3); }
-
   bool improve()
   {
     const FT du = m_place.u > FT(0.5) ? -width() : width();
@@ -75,10 +72,10 @@ private:
     if(!(determinant > FT(0)))
       return false;
     m_is_orthogonal = is_small(a * r, aa * (r * r)) && is_small(b * r, bb * (r * r));
+    if(m_is_orthogonal)
+      return false;
     const FT u = clamped((bb * (a * r) - ab * (b * r)) / determinant);
     const FT v = clamped((aa * (b * r) - ab * (a * r)) / determinant);
-    if(CGAL::abs(u) + CGAL::abs(v) < smallest_step())
-      return false;
     return move(u, v) || move(u / FT(2), v / FT(2));
   }
 

@@ -1,0 +1,203 @@
+// The univariate fit of boundary chains on curves with known derivatives, and the boundary fit of a
+// surface: convergence order, exact ends, planarity, bound of the error, balance.
+#include "tensor_product_surface.h"
+
+#include <CGAL/Surface_mesh_spline_conversion/fit_boundary.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <functional>
+#include <vector>
+
+namespace internal = CGAL::Surface_mesh_spline_conversion::internal;
+using internal::Chain_fit;
+using internal::Chain_knots;
+using internal::Cubic_spline_basis;
+
+const double pi = 2 * std::acos(0.);
+
+// a circle with `sides` quad sides in a tilted plane; `speed` > 0 gives an uneven parametrization
+struct Circle
+{
+  double sides, speed = 0;
+
+  Eigen::Vector3d at(double c, double s) const
+  {
+    return c * Eigen::Vector3d(2, 1, -2) / 3 + s * Eigen::Vector3d(1, 2, 2) / 3;
+  }
+  double angle(double x) const { return 2 * pi * x / sides + speed * std::sin(2 * pi * x / sides); }
+  Eigen::Vector3d point(double x) const { return at(std::cos(angle(x)), std::sin(angle(x))); }
+  Eigen::Vector3d derivative(double x) const
+  {
+    const double w = 2 * pi / sides * (1 + speed * std::cos(2 * pi * x / sides));
+    return w * at(-std::sin(angle(x)), std::cos(angle(x)));
+  }
+};
+
+Chain_knots periodic_knots(int n)
+{
+  Chain_knots result;
+  result.period = n;
+  for(int i = 0; i < n; ++i)
+    result.knots.push_back(i);
+  return result;
+}
+
+Chain_knots open_knots(int n)
+{
+  Chain_knots result;
+  for(int i = 0; i <= n; ++i)
+    result.knots.insert(result.knots.end(), i == 0 || i == n ? 4 : 1, double(i));
+  return result;
+}
+
+double dense_error(const Chain_knots& knots, const Chain_fit& fit, const Circle& circle)
+{
+  const Cubic_spline_basis basis = knots.basis();
+  double result = 0;
+  for(std::size_t span = 0; span < basis.number_of_spans(); ++span)
+    for(int i = 0; i <= 100; ++i)
+    {
+      const double t = i / 100.;
+      const double x = (1 - t) * basis.span_begin(span) + t * basis.span_end(span);
+      const Eigen::Vector3d s = internal::evaluate(basis.values(span, x), fit.polygon, 0);
+      result = (std::max)(result, (s - circle.point(x)).norm());
+    }
+  return result;
+}
+
+void test_basis(const Chain_knots& knots)
+{
+  const Cubic_spline_basis basis = knots.basis();
+  for(std::size_t span = 0; span < basis.number_of_spans(); ++span)
+    for(int i = 1; i < 8; ++i)
+    {
+      const double length = basis.span_end(span) - basis.span_begin(span);
+      const double x = basis.span_begin(span) + length * i / 8, h = 1e-4 * length;
+      assert(basis.span_of(x) == span);
+      const auto b = basis.values(span, x), before = basis.values(span, x - h),
+                 after = basis.values(span, x + h);
+      double sum = 0;
+      for(int k = 0; k < 4; ++k)
+      {
+        sum += b.derivatives[0][k];
+        for(int order = 0; order < 2; ++order)
+        {
+          const double quotient
+            = (after.derivatives[order][k] - before.derivatives[order][k]) / (2 * h);
+          assert(std::abs(quotient - b.derivatives[order + 1][k])
+                 < 1e-6 / std::pow(length, order + 1));
+        }
+      }
+      assert(std::abs(sum - 1) < 1e-14);
+    }
+}
+
+void test_convergence(bool is_closed)
+{
+  double last = 0;
+  for(int n : {16, 32, 64, 128})
+  {
+    Circle circle{is_closed ? double(n) : 2. * n, 0.3};
+    const Chain_knots knots = is_closed ? periodic_knots(n) : open_knots(n);
+    const Chain_fit fit = internal::fit_chain(knots, circle);
+    const double error = dense_error(knots, fit, circle);
+    assert(fit.is_solved && error <= fit.worst().bound && fit.worst().bound < 1.05 * error);
+    assert(last == 0 || (last / error > 13 && last / error < 20)); // order 4
+    last = error;
+    for(const Eigen::Vector3d& p : fit.polygon) // the normal of the plane is (2, -2, 1) / 3
+      assert(std::abs(2 * p[0] - 2 * p[1] + p[2]) < 1e-13);
+  }
+}
+
+void test_ends()
+{
+  for(int n : {1, 2, 3, 10})
+  {
+    Circle circle{3. * n, 0.3};
+    const Chain_knots knots = open_knots(n);
+    const Cubic_spline_basis basis = knots.basis();
+    const Chain_fit fit = internal::fit_chain(knots, circle);
+    const auto first = basis.values(0, 0), last = basis.values(basis.number_of_spans() - 1, n);
+    assert(fit.polygon.front() == circle.point(0) && fit.polygon.back() == circle.point(n));
+    assert((internal::evaluate(first, fit.polygon, 1) - circle.derivative(0)).norm() < 1e-13);
+    assert((internal::evaluate(last, fit.polygon, 1) - circle.derivative(n)).norm() < 1e-13);
+  }
+}
+
+// the figures of 16 quads on a circle, with the tolerance relative to the diagonal of its box
+void test_number_of_segments()
+{
+  const Circle circle{16};
+  internal::Cached_curve_target<Circle> target(circle);
+  const double tolerance = 1e-6 * std::sqrt(8.);
+  const Chain_knots knots
+    = internal::plan_bisection(periodic_knots(16), target, tolerance, 1e-3, 10000);
+  assert(knots.knots.size() == 32);
+  assert(dense_error(knots, internal::fit_chain(knots, target), circle) < tolerance);
+}
+
+void test_balance()
+{
+  for(const Chain_knots& knots : {periodic_knots(8), open_knots(8)})
+  {
+    std::vector<int> levels(8, 0);
+    levels[3] = 5;
+    const Cubic_spline_basis basis
+      = internal::Chain_bisection(knots, 1e-6)(levels).basis();
+    assert(basis.number_of_spans() > 8 + 31);
+    for(std::size_t i = 0; i + 1 < basis.number_of_spans(); ++i)
+    {
+      const double a = basis.span_end(i) - basis.span_begin(i);
+      const double b = basis.span_end(i + 1) - basis.span_begin(i + 1);
+      assert(a <= 2 * b && b <= 2 * a);
+    }
+  }
+}
+
+void test_surface(const synthetic::Surface& shape, double jitter)
+{
+  const int m = 8, n = 5;
+  synthetic::Input input(shape, m, n, 4, synthetic::jittered(m, n, jitter));
+  const synthetic::Target& target = input.target();
+  synthetic::Tensor_product_surface surface(input.layout(), m, n, shape.is_periodic);
+  SC::Conversion_report report;
+  const double tolerance = 1e-7 * target.diameter();
+  const SC::Error_code code
+    = SC::fit_boundary(surface, target, report, CGAL::parameters::boundary_tolerance(tolerance));
+  assert(code == SC::Error_code::OK && report.boundary.certified_bound < tolerance);
+  assert(report.boundary.max_parametric_deviation <= report.boundary.certified_bound);
+  assert(report.iterations.size() <= 3 && report.iterations.back().stage == "fit_boundary");
+  double worst = 0;
+  for(std::size_t q = 0; q < input.layout().number_of_quads(); ++q)
+    for(int i = 0; i < 4; ++i)
+      for(int k = 0; input.layout().is_border(q, i) && k <= 40; ++k)
+      {
+        const auto uv = internal::from_side<double>(i, k / 40., 0.);
+        const auto p = surface.position(surface.patch_at(q, uv[0], uv[1]), uv[0], uv[1]);
+        worst = (std::max)(worst, std::sqrt(squared_distance(p, target.point(q, uv[0], uv[1]))));
+      }
+  assert(worst > 0 && worst <= report.boundary.certified_bound);
+}
+
+int main()
+{
+  test_basis(open_knots(5));
+  test_basis(periodic_knots(5));
+  Chain_knots with_multiple_knots = open_knots(4);
+  with_multiple_knots.knots.insert(with_multiple_knots.knots.begin() + 5, 2, 1.5);
+  std::sort(with_multiple_knots.knots.begin(), with_multiple_knots.knots.end());
+  test_basis(with_multiple_knots);
+  test_convergence(true);
+  test_convergence(false);
+  test_ends();
+  test_number_of_segments();
+  test_balance();
+  for(double jitter : {0., 0.5})
+  {
+    test_surface(synthetic::height_field(0.3), jitter);
+    test_surface(synthetic::torus_band(2, 0.5), jitter);
+  }
+  return 0;
+}

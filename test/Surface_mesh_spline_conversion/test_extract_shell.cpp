@@ -1,0 +1,131 @@
+// Extraction from Catmull-Clark surfaces: topology, gaps, tangent planes, and the faces against limit
+// points that come from uniform subdivision of the whole mesh.
+#include "Catmull_clark_cells.h"
+#include "shell_checks.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/export/extract_shell.h>
+
+#include <iostream>
+
+namespace SMSC = CGAL::Surface_mesh_spline_conversion;
+
+const int DEPTH = 4;
+const double RADIUS = 10;
+
+// the cube with m x m quads on each side, projected to a sphere, frames turned in all ways
+Catmull_clark_surface sphere(int m)
+{
+  std::map<std::array<int, 3>, int> index;
+  std::vector<Eigen::Vector3d> points;
+  std::vector<Catmull_clark_surface::Quad> quads;
+  auto vertex = [&](int axis, int level, int i, int j)
+  {
+    std::array<int, 3> p;
+    p[axis] = level;
+    p[(axis + 1) % 3] = i;
+    p[(axis + 2) % 3] = j;
+    const auto it = index.emplace(p, int(points.size()));
+    if(it.second)
+      points.push_back(RADIUS * (Eigen::Vector3d(p[0], p[1], p[2]) * 2. / m
+                                 - Eigen::Vector3d::Ones()).normalized());
+    return it.first->second;
+  };
+  for(int axis = 0; axis < 3; ++axis)
+    for(int level : {0, m})
+      for(int j = 0; j < m; ++j)
+        for(int i = 0; i < m; ++i)
+        {
+          Catmull_clark_surface::Quad q = {vertex(axis, level, i, j), vertex(axis, level, i + 1, j),
+                                           vertex(axis, level, i + 1, j + 1),
+                                           vertex(axis, level, i, j + 1)};
+          if(level == 0)
+            std::swap(q[1], q[3]);
+          std::rotate(q.begin(), q.begin() + (7 * i + 3 * j + axis) % 4, q.end());
+          quads.push_back(q);
+        }
+  return Catmull_clark_surface(points, quads, DEPTH + 3);
+}
+
+// the largest distance of a limit point from the faces, searched along the faces' own samples
+template <typename K>
+double distance_from_faces(const SMSC::NURBS_shell_3<K>& shell,
+                           const std::map<std::array<int, 3>, Eigen::Vector3d>& limit_points)
+{
+  // every face is sampled at multiples of 1/64 of a quad, which are limit points themselves away
+  // from the caps
+  std::vector<Eigen::Vector3d> samples;
+  for(std::size_t f = 0; f < shell.number_of_faces(); ++f)
+  {
+    const auto& s = shell.face(f).surface;
+    if(shell.face(f).is_extraordinary)
+      continue;
+    const int nu = int(std::lround((s.knots[0].knots().back() - s.knots[0].knots().front()) * 16));
+    const int nv = int(std::lround((s.knots[1].knots().back() - s.knots[1].knots().front()) * 16));
+    for(int j = 0; j <= nv; ++j)
+      for(int i = 0; i <= nu; ++i)
+      {
+        const auto p = s.point(i / 16., j / 16.);
+        samples.emplace_back(p.x(), p.y(), p.z());
+      }
+  }
+  std::map<std::array<long, 3>, Eigen::Vector3d> by_place;
+  auto key = [](const Eigen::Vector3d& p) -> std::array<long, 3>
+  { return {{std::lround(p.x() * 1e4), std::lround(p.y() * 1e4), std::lround(p.z() * 1e4)}}; };
+  for(const auto& entry : limit_points)
+    for(int k = 0; k < 27; ++k) // also neighbours, for points next to the edge of a bin
+    {
+      std::array<long, 3> place = key(entry.second);
+      place[0] += k % 3 - 1;
+      place[1] += k / 3 % 3 - 1;
+      place[2] += k / 9 - 1;
+      by_place[place] = entry.second;
+    }
+  double largest = 0;
+  for(const Eigen::Vector3d& p : samples)
+  {
+    const auto it = by_place.find(key(p));
+    largest = (std::max)(largest, it == by_place.end() ? 1e9 : (it->second - p).norm());
+  }
+  return largest;
+}
+
+template <typename K>
+void test(int m)
+{
+  const Catmull_clark_surface surface = sphere(m);
+  const auto limit_points = surface.limit_points();
+  const int n = 1 << (DEPTH + 3);
+  auto position = [&](std::size_t patch, double u, double v) -> Eigen::Vector3d
+  { return limit_points.at({{int(patch), int(std::lround(u * n)), int(std::lround(v * n))}}); };
+  double last_deviation = 1e9;
+  for(double tolerance : {1., 1e-4, 1e-5})
+    for(bool merge : {false, true})
+    {
+      SMSC::NURBS_shell_3<K> shell;
+      const auto result = SMSC::internal::extract_shell<K>(
+        surface.cells(DEPTH), surface.neighbors(), position, {merge, DEPTH, tolerance, {}}, shell);
+      const Shell_checks<K> checks(shell);
+      std::cout << "sphere " << m << ": " << shell.number_of_faces() << " faces, caps deviate "
+                << result.cap_deviation << ", gap " << checks.largest_gap << ", angle "
+                << checks.largest_angle << std::endl;
+      assert(checks.euler_characteristic == 2);
+      assert(checks.number_of_border_edges == 0);
+      assert(shell.components().size() == 1);
+      assert(checks.largest_gap < 1e-13 * RADIUS);
+      assert(checks.largest_angle < 1e-8);
+      assert(result.number_of_caps == 8 && result.number_of_sharp_caps == 0);
+      assert(result.cap_deviation < 1.2 * tolerance && result.cap_deviation <= last_deviation);
+      last_deviation = result.cap_deviation;
+      assert(distance_from_faces(shell, limit_points) < 1e-12 * RADIUS);
+    }
+}
+
+int main()
+{
+  test<CGAL::Simple_cartesian<double> >(1);
+  test<CGAL::Simple_cartesian<double> >(3);
+  test<CGAL::Exact_predicates_inexact_constructions_kernel>(2);
+  return 0;
+}

@@ -1,0 +1,208 @@
+// The interior fit: convergence order on a smooth target, the effect of re-projection on a kinked
+// parametrization, normals above corners of the boundary, limits and interruption.
+#include "tensor_product_surface.h"
+
+#include <CGAL/Surface_mesh_spline_conversion/fit_boundary.h>
+#include <CGAL/Surface_mesh_spline_conversion/fit_interior.h>
+#include <CGAL/T_NURCC_surface_3.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+using namespace synthetic;
+namespace params = CGAL::parameters;
+
+typedef CGAL::T_NURCC_surface_3<Kernel> T_NURCC_surface;
+
+// a target without a mesh: the parametric surface itself
+struct Smooth_target
+{
+  typedef Kernel::FT FT;
+  typedef Kernel::Point_3 Point_3;
+
+  const Input& input;
+  const Surface& shape;
+
+  const Layout& layout() const { return input.layout(); }
+  double diameter() const { return input.target().diameter(); }
+  std::size_t number_of_chains() const { return input.target().number_of_chains(); }
+  std::size_t number_of_sides(std::size_t c) const { return input.target().number_of_sides(c); }
+  double arc_length(std::size_t c, double x) const { return input.target().arc_length(c, x); }
+
+  std::array<double, 2> place(std::size_t chain, double x, Vector& direction) const
+  {
+    const auto sides = layout().chain_sides(chain);
+    const std::size_t k = (std::min)(std::size_t(x), sides.size() - 1);
+    const auto uv = SC::internal::from_side<double>(sides[k].second, x - double(k), 0.);
+    const auto next = SC::internal::from_side<double>(sides[k].second, 1., 0.);
+    const auto first = SC::internal::from_side<double>(sides[k].second, 0., 0.);
+    const auto a = input.parameters(sides[k].first, next[0], next[1]);
+    const auto b = input.parameters(sides[k].first, first[0], first[1]);
+    direction = Vector(a[0] - b[0], a[1] - b[1], 0);
+    return input.parameters(sides[k].first, uv[0], uv[1]);
+  }
+
+  Point curve_point(std::size_t chain, double x) const
+  {
+    Vector direction;
+    const auto ab = place(chain, x, direction);
+    return shape.point(ab[0], ab[1]);
+  }
+
+  Vector curve_derivative(std::size_t chain, double x, int) const
+  {
+    Vector d;
+    const auto ab = place(chain, x, d);
+    return d.x() * shape.derivative(ab[0], ab[1], 1, 0)
+           + d.y() * shape.derivative(ab[0], ab[1], 0, 1);
+  }
+
+  Point point(std::size_t quad, double u, double v) const
+  {
+    const auto ab = input.parameters(quad, u, v);
+    return shape.point(ab[0], ab[1]);
+  }
+
+  Point foot_point(const Point&, std::size_t quad, double u, double v) const
+  {
+    return point(quad, u, v);
+  }
+};
+
+template <typename FitSurface>
+void test_convergence(const Surface& shape)
+{
+  const Input input(shape, 6, 6, 1);
+  const Smooth_target target{input, shape};
+  FitSurface surface(input.layout());
+  SC::Conversion_report report;
+  const double tolerance = 1e-7 * target.diameter();
+  const auto np = params::interior_tolerance(tolerance).boundary_tolerance(target.diameter())
+                  .error_metric(SC::Error_metric::PARAMETRIC).maximum_number_of_patches(4000);
+  assert(SC::fit_boundary(surface, target, report, np) == SC::Error_code::OK);
+  SC::fit_interior(surface, target, report, np);
+  double last = 0;
+  int levels = 0;
+  for(const auto& iteration : report.iterations)
+    if(iteration.stage == "fit_interior")
+    {
+      // order 4 means a factor of 16
+      assert(last == 0 || last / iteration.interior_linf > 11);
+      last = iteration.interior_linf;
+      ++levels;
+    }
+  assert(levels >= 3 && last == report.interior.max_deviation);
+}
+
+struct Reference_surface : Tensor_product_surface
+{
+  explicit Reference_surface(const Layout& layout) : Tensor_product_surface(layout, 6, 6, false) {}
+};
+
+// a smooth shape with a parametrization that has kinks
+void test_reprojection()
+{
+  const Surface shape = height_field(0.3);
+  const Input input(shape, 8, 5, 16, jittered(8, 5, 0.3));
+  const double d = input.target().diameter();
+  const std::size_t maximum = 700;
+  auto fit = [&](SC::Error_metric metric, SC::Conversion_report& report, T_NURCC_surface& surface)
+  {
+    const auto np = params::boundary_tolerance(1e-5 * d).interior_tolerance(4e-4 * d)
+                    .error_metric(metric).maximum_number_of_patches(maximum);
+    assert(SC::fit_boundary(surface, input.target(), report, np) == SC::Error_code::OK);
+    return SC::fit_interior(surface, input.target(), report, np);
+  };
+  SC::Conversion_report parametric, reprojected;
+  T_NURCC_surface a(input.layout()), b(input.layout());
+  assert(fit(SC::Error_metric::PARAMETRIC, parametric, a) == SC::Error_code::TOLERANCE_NOT_REACHED);
+  assert(parametric.interior.max_deviation > 1e-3 * d && !parametric.message.empty());
+  assert(fit(SC::Error_metric::REPROJECTED, reprojected, b) == SC::Error_code::OK);
+  assert(b.is_valid() && 4 * b.number_of_patches() <= maximum);
+  // measured in another way: against the function itself
+  for(std::size_t p = 0; p < b.number_of_patches(); ++p)
+    for(double s : {0.1, 0.35, 0.6, 0.85})
+      for(double t : {0.15, 0.4, 0.7, 0.95})
+      {
+        const auto o = b.patch_origin(p);
+        const Point q = b.position(p, o.u0 + s * (o.u1 - o.u0), o.v0 + t * (o.v1 - o.v0));
+        assert(std::abs(q.z() - shape.point(q.x(), q.y()).z()) < 5e-4 * d);
+      }
+}
+
+// largest angle between the normals on both sides of the line above the corner, in degrees
+double normal_angle(const T_NURCC_surface& surface, int m)
+{
+  double sine = 0;
+  for(int k = 0; k < 64; ++k)
+  {
+    const double y = 2 * k / 64., v = y - std::floor(y);
+    const std::size_t left = std::size_t(y) * m + m / 2 - 1, right = left + 1;
+    const Vector a = surface.normal(surface.patch_at(left, 1, v), 1, v);
+    const Vector b = surface.normal(surface.patch_at(right, 0, v), 0, v);
+    sine = (std::max)(sine, std::sqrt(CGAL::cross_product(a, b).squared_length()
+                                      / (a.squared_length() * b.squared_length())));
+  }
+  return std::asin(sine) * 90 / std::acos(0.);
+}
+
+void test_corner()
+{
+  const int m = 6;
+  const Input input(notched_graph(), m, 4, 16);
+  const double d = input.target().diameter();
+  T_NURCC_surface surface(input.layout());
+  SC::Conversion_report report;
+  const auto np = params::boundary_tolerance(1e-4 * d).interior_tolerance(2e-3 * d);
+  assert(SC::fit_boundary(surface, input.target(), report, np) == SC::Error_code::OK);
+  assert(SC::fit_interior(surface, input.target(), report, np) == SC::Error_code::OK);
+  assert(normal_angle(surface, m) < 0.5);
+}
+
+struct Stopping_visitor : SC::Default_visitor
+{
+  int calls = 0, last_call;
+  explicit Stopping_visitor(int last_call) : last_call(last_call) {}
+  bool go_further() { return ++calls < last_call; }
+};
+
+void test_limits()
+{
+  const Input input(height_field(0.3), 5, 4, 3);
+  T_NURCC_surface surface(input.layout());
+  SC::Conversion_report report;
+  for(double bad : {0., -1., std::nan("")})
+  {
+    assert(SC::fit_boundary(surface, input.target(), report, params::boundary_tolerance(bad))
+           == SC::Error_code::INVALID_PARAMETER);
+    assert(SC::fit_interior(surface, input.target(), report, params::interior_tolerance(bad))
+           == SC::Error_code::INVALID_PARAMETER);
+  }
+  for(int calls : {1, 2})
+  {
+    Stopping_visitor visitor(calls);
+    assert(SC::fit_interior(surface, input.target(), report, params::visitor(std::ref(visitor)))
+           == SC::Error_code::INTERRUPTED);
+    assert(visitor.calls == calls);
+  }
+  Stopping_visitor visitor(1);
+  assert(SC::fit_boundary(surface, input.target(), report, params::visitor(std::ref(visitor)))
+         == SC::Error_code::INTERRUPTED);
+  // below the size of the facets nothing helps; the surface stays valid
+  assert(SC::fit_boundary(surface, input.target(), report) == SC::Error_code::OK);
+  assert(SC::fit_interior(surface, input.target(), report,
+                          params::interior_tolerance(1e-7).maximum_number_of_patches(300))
+         == SC::Error_code::TOLERANCE_NOT_REACHED);
+  assert(surface.is_valid() && report.interior.max_deviation > 1e-7 && !report.message.empty());
+}
+
+int main()
+{
+  test_convergence<Reference_surface>(height_field(0.3));
+  test_convergence<T_NURCC_surface>(height_field(0.3));
+  test_reprojection();
+  test_corner();
+  test_limits();
+  return 0;
+}

@@ -1,0 +1,193 @@
+// Quantization of motorcycle graphs: the lengths solve the equations, give boundary loops enough
+// sides, are accepted at any coarseness; and the oracle rejects lengths that merge singularities or
+// let a boundary loop vanish, even if they solve all equations.
+
+#include "voxel_seamless_maps.h"
+
+#include <CGAL/Surface_mesh_spline_conversion/internal/map/Quantization.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/map/build_motorcycle_graph.h>
+
+#include <iostream>
+
+namespace SC = CGAL::Surface_mesh_spline_conversion;
+using namespace Test;
+using SC::internal::Quantization;
+using SC::internal::Quantization_oracle;
+using SC::internal::Motorcycle_graph;
+
+namespace {
+
+void check_lengths(const Motorcycle_graph& graph, const std::vector<int>& lengths, int smallest)
+{
+  auto size = [&](const std::vector<int>& side)
+  {
+    int sum = 0;
+    for(int h : side)
+      sum += lengths[h / 2];
+    return sum;
+  };
+  for(const Motorcycle_graph::Rectangle& rectangle : graph.rectangles)
+    for(int side = 0; side < 2; ++side)
+      assert(size(rectangle.sides[side]) == size(rectangle.sides[side + 2]));
+  for(int n : lengths)
+    assert(n >= smallest);
+  std::set<int> seen;
+  for(int first = 0; first < static_cast<int>(graph.arcs.size()); ++first)
+  {
+    int sides = 0;
+    if(!graph.arcs[first].is_on_boundary || seen.count(first))
+      continue;
+    for(int a = first; seen.insert(a).second;
+        a = graph.nodes[graph.arcs[a].node[1]].slots.front() / 2)
+      sides += lengths[a];
+    assert(sides >= 4);
+  }
+}
+
+int number_of_quads(const Motorcycle_graph& graph, const std::vector<int>& lengths)
+{
+  int quads = 0;
+  for(const Motorcycle_graph::Rectangle& rectangle : graph.rectangles)
+  {
+    int w = 0, h = 0;
+    for(int a : rectangle.sides[0])
+      w += lengths[a / 2];
+    for(int a : rectangle.sides[1])
+      h += lengths[a / 2];
+    quads += w * h;
+  }
+  return quads;
+}
+
+// Shrinks the arc to length zero, keeping all equations; `false` if this is impossible.
+bool shrink(SC::internal::Length_network& network, int arc)
+{
+  network.set_lower_bounds(std::vector<int>(network.number_of_arcs(), 0));
+  while(network.length(arc) > 0)
+    if(!network.change(arc, -1))
+      return false;
+  network.commit();
+  return true;
+}
+
+// An arc between two singularities must not vanish; returns the number of arcs tried.
+int test_merging(const Motorcycle_graph& graph, const std::vector<int>& lengths)
+{
+  Quantization_oracle oracle(graph);
+  int tried = 0;
+  for(int a = 0; a < static_cast<int>(graph.arcs.size()); ++a)
+  {
+    const Motorcycle_graph::Arc& arc = graph.arcs[a];
+    if(!graph.nodes[arc.node[0]].is_critical() || !graph.nodes[arc.node[1]].is_critical())
+      continue;
+    SC::internal::Length_network network(graph, Quantization::real_lengths(graph, 20));
+    network.set_lengths(lengths);
+    if(!shrink(network, a))
+      continue;
+    ++tried;
+    assert(!oracle(network.lengths()));
+  }
+  return tried;
+}
+
+void test_voxels()
+{
+  int number_of_maps = 0, merged = 0, fewer = 0;
+  for(int seed = 0; seed < 300; ++seed)
+  {
+    std::mt19937 random(seed);
+    Voxel_surface_options options;
+    options.subdivision = 2;
+    options.jitter = 1000;
+    options.hole_probability = seed % 2 ? 0.2 : 0;
+    // from five quads along the edge of a voxel down to a twentieth of a quad
+    options.edge = std::int64_t(1) << (17 + seed % 6);
+    options.edge += options.edge / 4 + 2;
+    Seamless_map map;
+    if(!make_voxel_map(random_voxels(1 + seed % 13, random), options, random, map))
+      continue;
+    ++number_of_maps;
+    Motorcycle_graph graph;
+    const char* failure = SC::internal::compute_motorcycle_graph(map, graph);
+    assert(*failure == 0);
+    (void)failure;
+    Quantization quantization(graph, map.fractional_bits);
+    const bool is_quantized = quantization.quantize_all_positive();
+    assert(is_quantized);
+    (void)is_quantized;
+    check_lengths(graph, quantization.lengths(), 1);
+    const int quads = number_of_quads(graph, quantization.lengths());
+    merged += test_merging(graph, quantization.lengths());
+    quantization.allow_zeros();
+    check_lengths(graph, quantization.lengths(), 0);
+    fewer += number_of_quads(graph, quantization.lengths()) < quads;
+    assert(Quantization_oracle(graph)(quantization.lengths()));
+  }
+  std::cout << number_of_maps << " voxel maps, " << merged << " merged singularities rejected, "
+            << fewer << " layouts with fewer quads by zeros" << std::endl;
+  assert(number_of_maps > 100 && merged > 100);
+}
+
+// A tube without singularities: all equations allow that its girth or its length is zero.
+void test_collapsing_loops()
+{
+  const Seamless_map map = make_flat_map(12, 5, 1 << 14, 0, false, 14);
+  Motorcycle_graph graph;
+  const char* failure = SC::internal::compute_motorcycle_graph(map, graph);
+  assert(*failure == 0);
+  (void)failure;
+  Quantization quantization(graph, map.fractional_bits);
+  const bool is_quantized = quantization.quantize_all_positive();
+  assert(is_quantized);
+  (void)is_quantized;
+  quantization.allow_zeros();
+  assert(number_of_quads(graph, quantization.lengths()) == 60);
+  Quantization_oracle oracle(graph);
+  for(bool is_girth : {false, true})
+  {
+    std::vector<int> lengths = quantization.lengths();
+    for(std::size_t a = 0; a < lengths.size(); ++a)
+      if(graph.arcs[a].is_on_boundary == is_girth)
+        lengths[a] = 0;
+    assert(!oracle(lengths));
+  }
+  std::vector<int> lengths = quantization.lengths();
+  ++lengths[0];
+  assert(!oracle(lengths)); // opposite sides differ
+}
+
+// The double cover has twice as many arcs, each leaving one equation and entering another.
+void test_double_cover()
+{
+  std::mt19937 random(3);
+  Voxel_surface_options options;
+  Seamless_map map;
+  Motorcycle_graph graph;
+  const bool is_manifold = make_voxel_map(random_voxels(1, random), options, random, map);
+  assert(is_manifold && *SC::internal::compute_motorcycle_graph(map, graph) == 0);
+  (void)is_manifold;
+  const SC::internal::Length_network network(graph, Quantization::real_lengths(graph, 20));
+  SC::internal::Length_network cover = network.double_cover();
+  std::vector<int> start;
+  for(int a = 0; a < cover.number_of_arcs(); ++a)
+    start.push_back(1 + random() % 7);
+  cover.set_lower_bounds(std::vector<int>(start.size(), 1));
+  cover.set_lengths(start);
+  const bool is_balanced = cover.balance();
+  assert(is_balanced);
+  (void)is_balanced;
+  std::vector<int> sums;
+  for(int a = 0; a < network.number_of_arcs(); ++a)
+    sums.push_back(cover.length(2 * a) + cover.length(2 * a + 1));
+  check_lengths(graph, sums, 2);
+}
+
+} // namespace
+
+int main()
+{
+  test_voxels();
+  test_collapsing_loops();
+  test_double_cover();
+  return 0;
+}
