@@ -185,6 +185,10 @@ public:
   // the Bernstein coefficients of piece s of subdivision `level`, level >= 1
   const Stencil_matrix& piece(int level, int s) const { return m_pieces[level - 1][s]; }
 
+  // Distances shrink by the subdominant eigenvalue per level. Beyond this level, rounding errors
+  // would spoil the derivatives, and the tangents at the vertex are used in their place.
+  int maximum_level_of_derivatives() const { return m_maximum_level_of_derivatives; }
+
   // position and tangent vectors along the edges 0 and 1 at the vertex, 3 rows. The tangents have
   // the length of the derivative if n is 4; else the parametrization is singular there.
   const Stencil_matrix& limit() const { return m_limit; }
@@ -195,6 +199,11 @@ private:
     m_limit = Stencil_matrix::Zero(3, size_of_net(n));
     const double angle = 2 * CGAL_PI / n, c = std::cos(angle);
     const double a = 1 + c + std::cos(angle / 2) * std::sqrt(2 * (9 + c));
+    const double subdominant
+      = (5 + c + std::cos(angle / 2) * std::sqrt(2 * (9 + c))) / 16;
+    const double smallest_distance = 1e-8; // half of the digits of a double
+    m_maximum_level_of_derivatives
+      = static_cast<int>(std::log(smallest_distance) / std::log(subdominant));
     m_limit(0, 0) = n / double(n + 5);
     for(int k = 0; k < n; ++k)
     {
@@ -213,6 +222,7 @@ private:
   std::vector<Stencil_matrix> m_nets;
   std::vector<std::array<Stencil_matrix, 3> > m_pieces;
   Stencil_matrix m_limit;
+  int m_maximum_level_of_derivatives = 0;
 };
 
 } // namespace internal

@@ -168,22 +168,22 @@ public:
     const std::array<double, 2> st = to_quarter(corner, u, v);
     const Place place = locate(corner, st[0], st[1]);
     result.setZero(6, static_cast<Eigen::Index>(control_points.size()));
-    if(place.is_extraordinary_point)
-    {
-      const int rows = order == 0 ? 1 : 3;
-      result.topRows(rows) = quarter.table->limit().topRows(rows) * quarter.net;
-      if(order > 1)
-        evaluate_second_derivatives_nearby(corner, result);
-    }
+    const int rows = order == 0 ? 1 : (order == 1 ? 3 : 6);
+    if(!place.is_extraordinary_point)
+      result.topRows(rows) = evaluate_piece(quarter, place, order).topRows(rows);
     else
+      result.row(0) = quarter.table->limit().row(0) * quarter.net;
+    if(order > 0 && place.level > 0
+       && (place.is_extraordinary_point
+           || place.level > quarter.table->maximum_level_of_derivatives()))
     {
-      const int rows = order == 0 ? 1 : (order == 1 ? 3 : 6);
-      const Eigen::Matrix<double, 6, 16, Eigen::RowMajor> b = bernstein_rows(place, order);
-      if(place.level == 0)
-        result.topRows(rows) = b.topRows(rows) * quarter.bezier;
-      else
-        result.topRows(rows)
-          = (b.topRows(rows) * quarter.table->piece(place.level, place.piece)) * quarter.net;
+      result.middleRows(1, 2) = quarter.table->limit().bottomRows(2) * quarter.net;
+      if(order > 1)
+      {
+        const double x = distance_of_second_derivatives;
+        result.bottomRows(3)
+          = evaluate_piece(quarter, locate(corner, x, x), order).bottomRows(3);
+      }
     }
     rotate_derivatives(corner, result);
   }
@@ -192,13 +192,17 @@ private:
   // the second derivatives have no limit at an extraordinary point; this distance is a compromise
   static constexpr double distance_of_second_derivatives = 1. / 64;
 
-  void evaluate_second_derivatives_nearby(int corner, Basis_matrix& result) const
+  static Basis_matrix evaluate_piece(const Face_quarter& quarter, const Place& place, int order)
   {
-    const double x = distance_of_second_derivatives;
-    const Place place = locate(corner, x, x);
-    const Face_quarter& quarter = quarters[corner];
-    result.bottomRows(3) = (bernstein_rows(place, 2).bottomRows(3)
-                            * quarter.table->piece(place.level, place.piece)) * quarter.net;
+    const int rows = order == 0 ? 1 : (order == 1 ? 3 : 6);
+    const auto b = bernstein_rows(place, order);
+    Basis_matrix result = Basis_matrix::Zero(6, quarter.net.cols());
+    if(place.level == 0)
+      result.topRows(rows) = b.topRows(rows) * quarter.bezier;
+    else
+      result.topRows(rows)
+        = (b.topRows(rows) * quarter.table->piece(place.level, place.piece)) * quarter.net;
+    return result;
   }
 
   static Eigen::Matrix<double, 6, 16, Eigen::RowMajor> bernstein_rows(const Place& place, int order)

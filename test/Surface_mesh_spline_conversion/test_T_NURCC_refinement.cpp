@@ -1,0 +1,272 @@
+// Refinement: what must not change, what a valid result is, on random parts of the boundary of
+// layouts with all kinds of corners and with extraordinary points near the boundary.
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/T_NURCC_surface_3.h>
+
+#include "T_NURCC_test_layouts.h"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <iostream>
+
+template <typename K>
+using Surface = CGAL::T_NURCC_surface_3<K>;
+
+template <typename K>
+double largest_difference(const Surface<K>& a, const Surface<K>& b)
+{
+  double result = 0;
+  for(std::size_t i = 0; i < a.number_of_patches(); ++i)
+  {
+    const auto r = a.patch_origin(i);
+    for(const double s : {0., 0.01, 0.3, 0.5, 0.8, 1.})
+      for(const double t : {0., 0.01, 0.3, 0.5, 0.8, 1.})
+      {
+        const double u = r.u0 + s * (r.u1 - r.u0), v = r.v0 + t * (r.v1 - r.v0);
+        const auto p = a.position(i, u, v), q = b.position(b.patch_at(r.quad, u, v), u, v);
+        result = (std::max)(result, std::sqrt(CGAL::squared_distance(p, q)));
+      }
+  }
+  return result;
+}
+
+// the 16 functions of every regular Bezier element are linearly independent and sum up to one
+template <typename K>
+void check_local_basis(const Surface<K>& surface)
+{
+  std::vector<typename Surface<K>::Basis_function> basis;
+  for(const auto& element : surface.bezier_elements(2))
+  {
+    const bool is_regular = !surface.is_extraordinary_patch(element.patch);
+    Eigen::Matrix<double, 16, 16> matrix;
+    for(int k = 0; k < 16; ++k)
+    {
+      const double u = element.u0 + (element.u1 - element.u0) * (0.1 + 0.26 * (k & 3));
+      const double v = element.v0 + (element.v1 - element.v0) * (0.1 + 0.26 * (k >> 2));
+      surface.basis(element.patch, u, v, 0, basis);
+      double sum = 0;
+      for(std::size_t i = 0; i < basis.size(); ++i)
+      {
+        sum += basis[i].value[0];
+        if(is_regular)
+          matrix(k, Eigen::Index(i)) = basis[i].value[0];
+      }
+      assert(std::abs(sum - 1) < 1e-12);
+      assert(!is_regular || basis.size() == 16);
+    }
+    if(is_regular)
+      assert(std::abs(matrix.fullPivLu().matrixLU().diagonal().cwiseAbs().minCoeff()) > 1e-9);
+  }
+}
+
+// the exact elements reproduce the surface, and they cover it
+template <typename K>
+void check_bezier_elements(const Surface<K>& surface)
+{
+  double area = 0, area_of_patches = 0;
+  for(std::size_t i = 0; i < surface.number_of_patches(); ++i)
+  {
+    const auto r = surface.patch_origin(i);
+    area_of_patches += (r.u1 - r.u0) * (r.v1 - r.v0);
+  }
+  for(const auto& e : surface.bezier_elements(3))
+  {
+    area += (e.u1 - e.u0) * (e.v1 - e.v0);
+    const double s = 0.3, t = 0.8;
+    typename K::Vector_3 p = CGAL::NULL_VECTOR;
+    const double binomial[4] = {1, 3, 3, 1};
+    for(int j = 0; j < 4; ++j)
+      for(int i = 0; i < 4; ++i)
+        p = p + binomial[i] * binomial[j] * std::pow(s, i) * std::pow(1 - s, 3 - i) * std::pow(t, j)
+                * std::pow(1 - t, 3 - j) * (e.points[std::size_t(4 * j + i)] - CGAL::ORIGIN);
+    const auto q = surface.position(e.patch, e.u0 + s * (e.u1 - e.u0), e.v0 + t * (e.v1 - e.v0));
+    const double error = std::sqrt(CGAL::squared_distance(CGAL::ORIGIN + p, q));
+    assert(error < (e.is_extraordinary ? 0.01 : 1e-12));
+  }
+  assert(std::abs(area - area_of_patches) < 1e-9);
+}
+
+// evaluates a boundary curve by its definition
+template <typename K>
+typename K::Point_3 curve_point(const Surface<K>& surface,
+                                const typename Surface<K>::Boundary_curve& curve, double x)
+{
+  std::vector<double> knots(curve.knots.begin(), curve.knots.end());
+  const std::size_t n = curve.control_points.size();
+  if(curve.is_closed) // three knots more on both sides
+  {
+    const double length = knots.back();
+    for(std::size_t i = 0; i < 3; ++i)
+    {
+      knots.insert(knots.begin(), knots[n - 1] - length);
+      knots.push_back(knots[2 + 2 * i] + length);
+    }
+  }
+  std::size_t span = 3;
+  while(span + 5 < knots.size() && knots[span + 1] <= x)
+    ++span;
+  std::array<typename K::Vector_3, 4> d;
+  for(std::size_t i = 0; i < 4; ++i)
+  {
+    // the first knot of a periodic function is the second before its own
+    const std::size_t k = curve.is_closed ? (span - 3 + i + 2 * n - 1) % n : span - 3 + i;
+    d[i] = surface.control_point(curve.control_points[k]) - CGAL::ORIGIN;
+  }
+  for(std::size_t r = 1; r < 4; ++r)
+    for(std::size_t i = 3; i >= r; --i)
+    {
+      const std::size_t j = span - 3 + i;
+      const double a = (x - knots[j]) / (knots[j + 4 - r] - knots[j]);
+      d[i] = (1 - a) * d[i - 1] + a * d[i];
+    }
+  return CGAL::ORIGIN + d[3];
+}
+
+// the boundary curves are the boundary of the surface
+template <typename K>
+void check_boundary(const Surface<K>& surface, const Layout<K>& layout)
+{
+  for(std::size_t c = 0; c < surface.number_of_boundary_chains(); ++c)
+  {
+    const auto curve = surface.boundary_curve(c);
+    const auto sides = layout.chain_sides(c);
+    assert(curve.knots.back() == double(sides.size()));
+    assert(curve.knots.size() == curve.control_points.size() + (curve.is_closed ? 1 : 4));
+    for(std::size_t k = 0; k < sides.size(); ++k)
+      for(const double t : {0.0, 0.2, 0.45, 0.81, 0.99})
+      {
+        const double uv[4][2] = {{t, 0}, {1, t}, {1 - t, 1}, {0, 1 - t}};
+        const double u = uv[sides[k].second][0], v = uv[sides[k].second][1];
+        const auto p = surface.position(surface.patch_at(sides[k].first, u, v), u, v);
+        assert(CGAL::squared_distance(p, curve_point(surface, curve, double(k) + t)) < 1e-24);
+      }
+  }
+}
+
+// the ring after one more subdivision is that of Catmull and Clark, its center has the right limit
+template <typename K>
+void check_extraordinary_rings(const Surface<K>& surface)
+{
+  for(std::size_t i = 0; i < surface.number_of_extraordinary_points(); ++i)
+  {
+    const int level = surface.minimum_ring_level(i);
+    const auto ring = surface.extraordinary_ring(i, level);
+    const auto next = surface.extraordinary_ring(i, level + 1);
+    const int n = ring.valence();
+    typename K::Vector_3 limit = n * n * (ring.points[0] - CGAL::ORIGIN);
+    for(int k = 0; k < n; ++k)
+    {
+      limit = limit + 4 * (ring.point(k, 1, 0) - CGAL::ORIGIN) + (ring.point(k, 1, 1) - CGAL::ORIGIN);
+      const auto center = CGAL::centroid(ring.point(k, 0, 0), ring.point(k, 1, 0),
+                                         ring.point(k, 1, 1), ring.point(k, 0, 1));
+      assert(CGAL::squared_distance(center, next.point(k, 1, 1)) < 1e-24);
+    }
+    const auto& sector = ring.sectors.front();
+    const double u = (sector.corner == 1 || sector.corner == 2) ? sector.u1 : sector.u0;
+    const double v = sector.corner >= 2 ? sector.v1 : sector.v0;
+    assert(CGAL::squared_distance(CGAL::ORIGIN + limit / (n * (n + 5)),
+                                  surface.position(sector.patch, u, v)) < 1e-24);
+  }
+}
+
+template <typename K>
+void test_uniform_refinement(const Layout<K>& layout)
+{
+  Surface<K> surface(layout);
+  assert(surface.is_valid() && surface.number_of_t_junctions() == 0);
+  Surface<K> refined = surface;
+  std::size_t patches = surface.number_of_patches();
+  for(int k = 0; k < 2; ++k)
+  {
+    refined.refine_uniformly();
+    patches *= 4;
+    assert(refined.number_of_patches() == patches && refined.is_valid());
+    assert(largest_difference(surface, refined) < 1e-13);
+  }
+  check_extraordinary_rings(surface);
+  check_extraordinary_rings(refined);
+  check_bezier_elements(surface);
+}
+
+template <typename K>
+void test_boundary_refinement(Layout<K> layout, double share_of_corners, unsigned int seed)
+{
+  std::mt19937 generator(seed);
+  add_chains(layout, share_of_corners, generator);
+  Surface<K> surface(layout);
+  assert(surface.error() == Surface<K>::Error_code::OK);
+  for(int step = 0; step < 4; ++step)
+  {
+    check_boundary(surface, layout);
+    const Surface<K> before = surface;
+    std::vector<typename Surface<K>::Boundary_span> spans;
+    for(std::size_t c = 0; c < surface.number_of_boundary_chains(); ++c)
+    {
+      const auto knots = surface.boundary_curve(c).knots;
+      for(std::size_t i = 0; i + 1 < knots.size(); ++i)
+        if(knots[i] < knots[i + 1] && generator() % 5 == 0)
+          spans.push_back({c, knots[i], knots[i + 1]});
+    }
+    surface.refine_boundary(spans);
+    assert(surface.is_valid());
+    for(const auto& span : spans)
+    {
+      const auto knots = surface.boundary_curve(span.chain).knots;
+      assert(std::find(knots.begin(), knots.end(), (span.x0 + span.x1) / 2) != knots.end());
+    }
+    if(share_of_corners == 0) // else the lines above corners become shorter
+      assert(largest_difference(before, surface) < 1e-12);
+  }
+  check_local_basis(surface);
+  check_bezier_elements(surface);
+  check_boundary(surface, layout);
+  check_extraordinary_rings(surface);
+  std::cout << layout.number_of_quads() << " quads -> " << surface.number_of_patches()
+            << " patches, " << surface.number_of_t_junctions() << " T-junctions" << std::endl;
+}
+
+template <typename K>
+void test_kernel(unsigned int number_of_seeds)
+{
+  test_uniform_refinement<K>(grid_layout<K>(1, 1));
+  test_uniform_refinement<K>(cubes_layout<K>(stairs(), false));
+  test_uniform_refinement<K>(cubes_layout<K>(stairs(), true));
+  for(const int n : {3, 5, 8})
+    for(const int m : {1, 2})
+      test_uniform_refinement<K>(fan_layout<K>(n, m));
+  for(unsigned int seed = 0; seed < number_of_seeds; ++seed)
+    for(const double share : {0., 0.3})
+    {
+      test_boundary_refinement<K>(grid_layout<K>(2 + seed, 3), share, seed);
+      for(const int m : {1, 2, 3})
+        test_boundary_refinement<K>(fan_layout<K>(seed == 0 ? 3 : 4 + int(seed), m), share, seed);
+      test_boundary_refinement<K>(cubes_layout<K>(stairs(), true), share, seed);
+    }
+}
+
+// layouts that are not supported are reported
+void test_errors()
+{
+  typedef CGAL::Simple_cartesian<double> K;
+  typedef K::Point_3 Point;
+  const std::vector<Point> points = {Point(0, 0, 0), Point(1, 0, 0), Point(1, 1, 0), Point(0, 1, 0),
+    Point(-1, 1, 0), Point(-1, 0, 0), Point(-1, -1, 0), Point(0, -1, 0)};
+  const Layout<K> reentrant(points, {{{0, 1, 2, 3}}, {{0, 3, 4, 5}}, {{0, 5, 6, 7}}});
+  const Surface<K> surface(reentrant);
+  assert(surface.error() == Surface<K>::Error_code::NO_QUAD_LAYOUT);
+  assert(surface.message().find("vertex 0") != std::string::npos);
+  assert(surface.number_of_patches() == 0 && !surface.is_valid());
+}
+
+int main()
+{
+  test_kernel<CGAL::Simple_cartesian<double> >(3);
+  test_kernel<CGAL::Exact_predicates_inexact_constructions_kernel>(1);
+  test_errors();
+  return EXIT_SUCCESS;
+}
