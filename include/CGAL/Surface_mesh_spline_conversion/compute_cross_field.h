@@ -22,7 +22,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <queue>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -58,21 +61,29 @@ double quad_size_at(internal_np::Param_not_found, VertexDescriptor, double defau
 // of bounded distortion.
 inline void limit_gradation(const Working_mesh& mesh, double gradation, std::vector<double>& size)
 {
-  bool has_changed = true;
-  while(has_changed)
+  typedef std::pair<double, int> Entry; // (size, vertex)
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry> > queue;
+  for(int v = 0; v < mesh.number_of_vertices(); ++v)
+    queue.emplace(size[v], v);
+  while(!queue.empty())
   {
-    has_changed = false;
-    for(int h = 0; h < mesh.number_of_halfedges(); ++h)
+    const Entry top = queue.top();
+    queue.pop();
+    if(top.first > size[top.second])
+      continue;
+    const auto limit = [&](int v, double distance)
     {
-      const int v = mesh.source(h), w = mesh.target(h);
-      const double step = gradation * mesh.vector(h).norm();
-      for(const auto& ends : {std::make_pair(v, w), std::make_pair(w, v)})
-        if(size[ends.second] > size[ends.first] + step)
-        {
-          size[ends.second] = size[ends.first] + step;
-          has_changed = true;
-        }
-    }
+      if(size[v] <= top.first + gradation * distance)
+        return;
+      size[v] = top.first + gradation * distance;
+      queue.emplace(size[v], v);
+    };
+    mesh.for_each_outgoing(top.second, [&](int h)
+    {
+      const int back = Working_mesh::previous(h);
+      limit(mesh.target(h), mesh.vector(h).norm());
+      limit(mesh.source(back), mesh.vector(back).norm());
+    });
   }
 }
 
