@@ -4,6 +4,10 @@
 
 #include <CGAL/Surface_mesh_spline_conversion/NURBS_shell_3.h>
 
+#include <CGAL/Kernel/global_functions.h>
+#include <CGAL/number_type_config.h>
+
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <cstddef>

@@ -14,6 +14,7 @@
 #include <CGAL/Surface_mesh_spline_conversion/NURBS_shell_3.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/Text_buffer.h>
 
+#include <CGAL/Kernel/global_functions.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>

@@ -21,10 +21,13 @@
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 #include <map>
+#include <numeric>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -83,6 +86,7 @@ private:
   static constexpr int MINIMUM_NUMBER_OF_INTERVALS = 4;
   static constexpr int MAXIMUM_NUMBER_OF_INTERVALS = 64;
   static constexpr unsigned int NUMBER_OF_STARTS = 6;
+  static constexpr std::size_t NUMBER_OF_CANDIDATES = 2000;
   static constexpr std::size_t NUMBER_OF_CLIMBS = 24;
 
   struct Sample
@@ -146,32 +150,38 @@ private:
     return is_inside ? distance : (std::max)(0., distance - gap);
   }
 
-  // walks uphill from the largest samples, so that the maximum does not hang on the grid
+  // walks uphill from the largest samples, one of a piece, so that the maximum does not hang on the
+  // grid
   void climb()
   {
     std::vector<std::size_t> order(m_samples.size());
-    for(std::size_t i = 0; i < order.size(); ++i)
-      order[i] = i;
-    const std::size_t n = (std::min)(NUMBER_OF_CLIMBS, order.size());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    const std::size_t n = (std::min)(NUMBER_OF_CANDIDATES, order.size());
     std::partial_sort(order.begin(), order.begin() + std::ptrdiff_t(n), order.end(),
                       [this](std::size_t a, std::size_t b)
                       { return std::make_pair(-m_deviations[a], a)
                              < std::make_pair(-m_deviations[b], b); });
-    for(std::size_t i = 0; i < n; ++i)
-      climb_from(m_samples[order[i]], m_deviations[order[i]]);
+    std::set<std::size_t> pieces;
+    for(std::size_t i = 0; i < n && pieces.size() < NUMBER_OF_CLIMBS; ++i)
+      if(pieces.insert(m_samples[order[i]].piece).second)
+        climb_from(m_samples[order[i]], m_deviations[order[i]]);
   }
 
+  // tries the eight directions of the compass with smaller and smaller steps
   void climb_from(Sample sample, double deviation)
   {
-    constexpr double FIRST_STEP = 1. / 8, LAST_STEP = 1e-5; // of the parameters
+    constexpr double FIRST_STEP = 1. / 16, LAST_STEP = 1e-5; // of the parameters
+    static const std::array<std::array<int, 2>, 8> directions
+      = {{{{1, 0}}, {{0, 1}}, {{-1, 0}}, {{0, -1}}, {{1, 1}}, {{-1, 1}}, {{-1, -1}}, {{1, -1}}}};
     const Bezier_piece& piece = m_pieces[sample.piece];
     Eigen::Vector3d worst = piece.point(sample.u, sample.v);
-    for(double step = FIRST_STEP; step > LAST_STEP; step /= 2)
-      for(int direction = 0; direction < 4; ++direction)
+    for(double step = FIRST_STEP; step > LAST_STEP; )
+    {
+      bool has_improved = false;
+      for(const auto& direction : directions)
       {
-        const double sign = (direction < 2) ? step : -step;
-        const double u = clamped(sample.u + ((direction & 1) ? sign : 0));
-        const double v = clamped(sample.v + ((direction & 1) ? 0 : sign));
+        const double u = clamped(sample.u + step * direction[0]);
+        const double v = clamped(sample.v + step * direction[1]);
         const Eigen::Vector3d p = piece.point(u, v);
         const double next = excess(p, m_mesh.foot(p, m_hint).distance);
         if(!(next > deviation))
@@ -179,7 +189,11 @@ private:
         sample = {sample.piece, u, v};
         deviation = next;
         worst = p;
+        has_improved = true;
       }
+      if(!has_improved)
+        step /= 2;
+    }
     if(deviation > m_statistics.maximum)
     {
       m_statistics.maximum = deviation;

@@ -1,0 +1,165 @@
+// Deviations of a plane face with known answers from a plane mesh with straight boundary.
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh_spline_conversion/Boundary_curve_network_3.h>
+#include <CGAL/Surface_mesh_spline_conversion/interpolate_boundary_curves.h>
+#include <CGAL/Surface_mesh_spline_conversion/measure_deviation.h>
+
+#include <cassert>
+#include <cmath>
+#include <functional>
+#include <iostream>
+#include <map>
+
+namespace SMSC = CGAL::Surface_mesh_spline_conversion;
+typedef CGAL::Simple_cartesian<double> K;
+typedef K::Point_3 Point_3;
+typedef CGAL::Surface_mesh<Point_3> Mesh;
+typedef SMSC::NURBS_shell_3<K> Shell;
+typedef SMSC::NURBS_curve_traits_3<K> Curve_traits;
+
+const double SIZE = 10;
+const int CELLS = 20;
+
+// [0,SIZE]^2 in two triangles a cell
+Mesh square_mesh()
+{
+  Mesh mesh;
+  std::vector<Mesh::Vertex_index> v;
+  for(int j = 0; j <= CELLS; ++j)
+    for(int i = 0; i <= CELLS; ++i)
+      v.push_back(mesh.add_vertex(Point_3(SIZE * i / CELLS, SIZE * j / CELLS, 0)));
+  for(int j = 0; j < CELLS; ++j)
+    for(int i = 0; i < CELLS; ++i)
+    {
+      const int k = j * (CELLS + 1) + i;
+      mesh.add_face(v[k], v[k + 1], v[k + CELLS + 2]);
+      mesh.add_face(v[k], v[k + CELLS + 2], v[k + CELLS + 1]);
+    }
+  return mesh;
+}
+
+// two bicubic faces side by side over the square; `z(i,j)` moves control point i of 0 to 6, j of 0 to 3
+Shell two_faces(const std::function<double(int, int)>& z)
+{
+  Shell shell;
+  const SMSC::Knot_vector<double> knots(3, {0, 1});
+  auto point = [&z](int i, int j) { return Point_3(SIZE * i / 6, SIZE * j / 3, z(i, j)); };
+  std::map<std::pair<int, int>, std::size_t> vertex;
+  for(int i : {0, 3, 6})
+    for(int j : {0, 3})
+      vertex[{i, j}] = shell.add_vertex(point(i, j));
+  auto edge = [&](int i0, int j0, int i1, int j1)
+  {
+    Shell::Edge e = {vertex[{i0, j0}], vertex[{i1, j1}], {knots, {}}};
+    for(int k = 0; k <= 3; ++k)
+      e.curve.control_points.push_back(point(i0 + (i1 - i0) / 3 * k, j0 + (j1 - j0) / 3 * k));
+    return shell.add_edge(e);
+  };
+  std::size_t middle = Shell::null;
+  for(int first : {0, 3})
+  {
+    Shell::Face face;
+    face.surface.knots = {{knots, knots}};
+    for(int j = 0; j <= 3; ++j)
+      for(int i = 0; i <= 3; ++i)
+        face.surface.control_points.push_back(point(first + i, j));
+    face.patch = 0;
+    face.is_extraordinary = false;
+    face.loop.push_back({edge(first, 0, first + 3, 0), true});
+    const std::size_t right = edge(first + 3, 0, first + 3, 3);
+    face.loop.push_back({right, true});
+    face.loop.push_back({edge(first + 3, 3, first, 3), true});
+    if(first == 0)
+      face.loop.push_back({edge(0, 3, 0, 0), true});
+    else
+      face.loop.push_back({middle, false});
+    middle = right;
+    shell.add_face(face);
+  }
+  return shell;
+}
+
+struct Measurement
+{
+  Mesh mesh = square_mesh();
+  Curve_traits traits;
+
+  SMSC::Deviation<K> operator()(const Shell& shell, double tolerance = 1)
+  {
+    auto map = mesh.add_property_map<Mesh::Halfedge_index, SMSC::Curve_segment<Curve_traits> >(
+      "h:curve").first;
+    const SMSC::Error_code code = SMSC::interpolate_boundary_curves(mesh, traits, map);
+    assert(code == SMSC::Error_code::OK);
+    const SMSC::Boundary_curve_network_3<Mesh, Curve_traits> network(mesh, map, traits);
+    assert(network.error() == SMSC::Error_code::OK && network.number_of_chains() == 4);
+    SMSC::Deviation<K> deviation;
+    SMSC::measure_deviation(shell, mesh, network, deviation,
+                            CGAL::parameters::interior_tolerance(tolerance));
+    return deviation;
+  }
+};
+
+bool is_close(double x, double expected, double error) { return std::abs(x - expected) <= error; }
+
+int main()
+{
+  Measurement measure;
+  const double rounding = 1e-12;
+
+  // nothing moved
+  SMSC::Deviation<K> d = measure(two_faces([](int, int) { return 0; }));
+  assert(d.boundary_maximum < rounding && d.corner_maximum < rounding);
+  assert(d.interior_maximum < rounding && d.normal_angle_maximum < 1e-10);
+  assert(d.fraction_within == 1 && d.faces_against_mesh == 0);
+
+  // moved as a whole: everything deviates by that much, and nothing is within less
+  d = measure(two_faces([](int, int) { return 0.01; }), 0.009);
+  assert(is_close(d.boundary_maximum, 0.01, rounding) && is_close(d.boundary_mean, 0.01, rounding));
+  assert(is_close(d.corner_maximum, 0.01, rounding));
+  assert(is_close(d.interior_maximum, 0.01, rounding) && is_close(d.interior_mean, 0.01, rounding));
+  assert(d.fraction_within == 0);
+
+  // a bump off the grid of samples: the maximum of B_1 B_1 is (4/9)^2 at (1/3,1/3)
+  d = measure(two_faces([](int i, int j) { return (i == 1 && j == 1) ? 0.3 : 0; }), 0.01);
+  assert(d.boundary_maximum < rounding);
+  assert(is_close(d.interior_maximum, 0.3 * 16 / 81, 1e-8));
+  assert(is_close(d.interior_worst.x(), SIZE / 6, 0.01) && is_close(d.interior_worst.y(), SIZE / 3, 0.01));
+  assert(0.5 < d.fraction_within && d.fraction_within < 0.95);
+
+  // the boundary curve bulges: its largest distance is 0.2 * 3 * (1/3) (2/3)^2 at 1/3 of the edge
+  d = measure(two_faces([](int i, int j) { return (i == 1 && j == 0) ? 0.2 : 0; }));
+  assert(is_close(d.boundary_maximum, 0.2 * 4 / 9, 1e-3 * 0.2));
+  assert(is_close(d.boundary_worst.x(), SIZE / 6, 0.1) && d.corner_maximum < rounding);
+  assert(is_close(d.worst_arc_length, SIZE / 6, 0.1));
+
+  // a fold along the common edge, whose slope changes by 2 a: angle 2 atan a
+  const double a = 0.05;
+  d = measure(two_faces([a](int i, int) { return a * SIZE / 6 * std::abs(i - 3); }));
+  assert(is_close(d.normal_angle_maximum, 2 * std::atan(a) * 180 / CGAL_PI, 1e-9));
+  assert(is_close(d.normal_angle_worst.x(), SIZE / 2, rounding));
+
+  // a vertex of the mesh pulled out: only seen from the mesh
+  Measurement spiky;
+  spiky.mesh.point(Mesh::Vertex_index((CELLS + 1) * CELLS / 2 + CELLS / 2)) = Point_3(5, 5, 0.7);
+  d = spiky(two_faces([](int, int) { return 0; }));
+  assert(is_close(d.interior_maximum, 0.7, 1e-9));
+
+  // a mesh that looks the other way
+  Measurement flipped;
+  CGAL::Surface_mesh<Point_3> mesh;
+  for(auto v : flipped.mesh.vertices())
+    mesh.add_vertex(flipped.mesh.point(v));
+  for(auto f : flipped.mesh.faces())
+  {
+    std::vector<Mesh::Vertex_index> v;
+    for(auto w : flipped.mesh.vertices_around_face(flipped.mesh.halfedge(f)))
+      v.insert(v.begin(), w);
+    mesh.add_face(v);
+  }
+  flipped.mesh = mesh;
+  d = flipped(two_faces([](int, int) { return 0; }));
+  assert(d.faces_against_mesh == 2 && d.interior_maximum < rounding);
+  std::cout << "ok" << std::endl;
+  return 0;
+}
