@@ -223,6 +223,22 @@ void test_wrong_ways_round()
   assert(contains(message(), edge_name(mesh, h)) && contains(message(), "times as long"));
   segments[h].second -= 2 * pi;
   assert(message().empty());
+  // a spline may turn quickly between two vertices, but not have a corner there
+  segments[h].curve = circle;
+  for(int degree : {1, 2})
+  {
+    const Point_3 p = circle.point(segments[h].first), q = circle.point(segments[h].second);
+    const Point_3 r = p + 0.4 * (q - p) + 0.1 * (p - CGAL::ORIGIN);
+    const SC::NURBS_curve_3<Kernel> spline
+      = (degree == 1) ? SC::NURBS_curve_3<Kernel>(1, {0, 0, 0.37, 1, 1}, {p, r, q})
+                      : SC::NURBS_curve_3<Kernel>(2, {0, 0, 0, 1, 1, 1}, {p, r, q});
+    const auto old = segments[h];
+    segments[h] = {Traits::Curve_3([=](double t) { return spline.point(t); },
+                                   [=](double t, int k) { return spline.derivative(t, k); }), 0, 1};
+    assert((degree == 2) == message().empty());
+    assert(degree == 2 || contains(message(), "jumps at the parameter 0.37"));
+    segments[h] = old;
+  }
   has_nan = true;
   assert(contains(message(), "is not finite"));
 }

@@ -59,6 +59,72 @@ struct Functions
   }
 };
 
+// A model of BoundaryCurveTraits_3 with nothing but what the concept promises: a network that uses
+// more does not compile. Its curves are circles around the z axis.
+template <typename K>
+struct Curve_traits_archetype
+{
+  typedef typename K::FT FT;
+  typedef typename K::Point_3 Point_3;
+  typedef typename K::Vector_3 Vector_3;
+
+  class Curve_3
+  {
+  public:
+    Curve_3() : m_radius(0) {}
+    Curve_3(const Curve_3& other) : m_radius(other.m_radius) {}
+    Curve_3& operator=(const Curve_3& other) { m_radius = other.m_radius; return *this; }
+    bool operator==(const Curve_3& other) const { return m_radius == other.m_radius; }
+
+  private:
+    friend Curve_traits_archetype;
+    explicit Curve_3(FT radius) : m_radius(radius) {}
+    FT m_radius;
+  };
+
+  static Curve_3 circle(FT radius) { return Curve_3(radius); }
+
+  class Construct_point_on_curve_3
+  {
+  public:
+    Point_3 operator()(const Curve_3& c, FT t) const
+    {
+      return CGAL::ORIGIN + c.m_radius * Vector_3(std::cos(t), std::sin(t), 0);
+    }
+
+  private:
+    friend Curve_traits_archetype;
+    explicit Construct_point_on_curve_3(int) {}
+  };
+
+  class Construct_derivative_on_curve_3
+  {
+  public:
+    Vector_3 operator()(const Curve_3& c, FT t, int order) const
+    {
+      return c.m_radius * Vector_3(std::cos(t + order * pi / 2), std::sin(t + order * pi / 2), 0);
+    }
+
+  private:
+    friend Curve_traits_archetype;
+    explicit Construct_derivative_on_curve_3(int) {}
+  };
+
+  explicit Curve_traits_archetype(int) {}
+  Curve_traits_archetype(const Curve_traits_archetype&) {}
+  Curve_traits_archetype& operator=(const Curve_traits_archetype&) = delete;
+
+  Construct_point_on_curve_3 construct_point_on_curve_3_object() const
+  {
+    return Construct_point_on_curve_3(0);
+  }
+
+  Construct_derivative_on_curve_3 construct_derivative_on_curve_3_object() const
+  {
+    return Construct_derivative_on_curve_3(0);
+  }
+};
+
 // A mesh of triangles around a center, whose boundary vertices lie on curves.
 template <typename Mesh_, typename Traits>
 struct Fan
@@ -393,6 +459,26 @@ void test_spline_conditions()
     }
 }
 
+template <typename K, typename Mesh>
+void test_archetype()
+{
+  typedef Curve_traits_archetype<K> Traits;
+  typedef typename K::Point_3 Point_3;
+
+  const Traits traits(0);
+  std::vector<SC::Curve_segment<Traits> > segments;
+  append_segments<Traits>(Traits::circle(2), 0, 2 * pi, 9, segments);
+  const Fan<Mesh, Traits> fan(traits, segments, Point_3(0, 0, 1));
+  const typename Fan<Mesh, Traits>::Network
+    network(fan.mesh, boost::make_assoc_property_map(fan.segments), traits);
+  assert(network.error() == SC::Error_code::OK);
+  assert(std::abs(network.length(0) - 4 * pi) < 1e-12);
+  assert(std::abs(network.project(0, Point_3(1, 1, 1)).distance
+                  - std::hypot(2 - std::sqrt(2.), 1)) < 1e-12);
+  assert(network.locate(0, 1.).curve == Traits::circle(2));
+  assert(std::abs(norm(network.derivative(0, 1., 3)) - 0.25) < 1e-12);
+}
+
 // A tetrahedron needs no curves.
 template <typename K, typename Mesh>
 void test_closed_mesh()
@@ -420,22 +506,20 @@ void test()
   for(double angle : {0.8, pi / 2, 2., 3.5, 4.5, 5.5})
     test_corner_angle<K, Mesh>(angle);
   test_interpolation<K, Mesh>();
+  test_archetype<K, Mesh>();
   test_closed_mesh<K, Mesh>();
-}
-
-template <typename K>
-void test_kernel()
-{
-  test<K, CGAL::Surface_mesh<typename K::Point_3> >();
-  test<K, CGAL::Polyhedron_3<K> >();
-  test_spline_conditions<K>();
 }
 
 int main()
 {
+  typedef CGAL::Simple_cartesian<double> Cartesian;
+  typedef CGAL::Exact_predicates_inexact_constructions_kernel Epick;
+
   test_arc_length_with_knots();
-  test_kernel<CGAL::Simple_cartesian<double> >();
-  test_kernel<CGAL::Exact_predicates_inexact_constructions_kernel>();
+  test_spline_conditions<Cartesian>();
+  test_spline_conditions<Epick>();
+  test<Cartesian, CGAL::Surface_mesh<Cartesian::Point_3> >();
+  test<Epick, CGAL::Polyhedron_3<Epick> >();
   std::cout << "done" << std::endl;
   return EXIT_SUCCESS;
 }

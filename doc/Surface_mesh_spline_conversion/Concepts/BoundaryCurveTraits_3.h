@@ -2,6 +2,8 @@
 \ingroup PkgSurfaceMeshSplineConversionConcepts
 \cgalConcept
 
+\cgalRefines{CopyConstructible}
+
 The concept `BoundaryCurveTraits_3` describes the parametric curves in space that bound a triangle
 mesh, as far as the conversion to a T-NURCC surface evaluates them: points and derivatives.
 
@@ -13,7 +15,7 @@ and cost more patches. Where the tangent of the boundary jumps, there must be a 
 \cgalHasModels{CGAL::Surface_mesh_spline_conversion::NURBS_curve_traits_3<K>}
 \cgalHasModels{CGAL::Surface_mesh_spline_conversion::Curve_on_surface_traits_3<K>}
 \cgalHasModels{CGAL::Surface_mesh_spline_conversion::Function_curve_traits_3<K>}
-\cgalHasModels{CGAL::Surface_mesh_spline_conversion::Variant_curve_traits_3<FirstTraits\, OtherTraits...>}
+\cgalHasModels{CGAL::Surface_mesh_spline_conversion::Variant_curve_traits_3<Traits...>}
 \cgalHasModelsEnd
 
 \sa `CGAL::Surface_mesh_spline_conversion::Boundary_curve_network_3`

@@ -409,7 +409,7 @@ private:
       internal::Boundary_loop<TriangleMesh, BoundaryCurveTraits>
         loop(*m_tm, m_traits, l, m_loops[l]);
       loop.read(halfedge_curve_map, vpm, mesh_check);
-      if(loop.check_association(tolerance))
+      if(loop.check_association(tolerance, corner_angle * FT(CGAL_PI) / FT(180)))
       {
         loop.find_corners(is_constrained, corner_angle * FT(CGAL_PI) / FT(180), m_diameter);
         loop.append_chains(m_chains);

@@ -76,6 +76,36 @@ public:
              "mesh is too coarse there.";
   }
 
+  // checks that the tangent of the curve of edge i does not jump by more than `corner_angle` (in
+  // radians) between its ends. An interval of parameters in which the tangent turns by more is bisected
+  // towards the larger turn: of a smooth curve the turn decreases with the width, across a jump it
+  // does not.
+  std::string check_smoothness(size_type i, const FT& corner_angle) const
+  {
+    const int number_of_intervals = 8;
+    const FT smallest_width(1e-7); // relative to the segment, far above the rounding of parameters
+    const Oriented_segment<Traits> curve(m_traits, m_segments[i]);
+    const FT first = m_segments[i].first, second = m_segments[i].second;
+    const auto tangent = [&](const FT& x)
+      { return curve.derivative((FT(1) - x) * first + x * second, 1); };
+    for(int k = 0; k < number_of_intervals; ++k)
+    {
+      FT low = FT(k) / FT(number_of_intervals), high = FT(k + 1) / FT(number_of_intervals);
+      while(angle(tangent(low), tangent(high)) > corner_angle)
+      {
+        const FT middle = (low + high) / FT(2);
+        if(high - low < smallest_width)
+          return edge_name(i) + ": the tangent of the curve jumps at the parameter "
+                 + number((FT(1) - middle) * first + middle * second)
+                 + " between the ends of the edge; the mesh needs a vertex there.";
+        const bool is_left = angle(tangent(low), tangent(middle))
+                             > angle(tangent(middle), tangent(high));
+        (is_left ? high : low) = middle;
+      }
+    }
+    return std::string();
+  }
+
   // names edge i in a message.
   std::string edge_name(size_type i) const
   {
@@ -199,6 +229,11 @@ private:
   static FT distance(const Point_3& p, const Point_3& q)
   {
     return std::sqrt((p - q).squared_length());
+  }
+
+  static FT angle(const Vector_3& a, const Vector_3& b)
+  {
+    return std::atan2(std::sqrt(cross_product(a, b).squared_length()), a * b);
   }
 
   static bool is_finite(const Vector_3& v) { return std::isfinite(v.squared_length()); }

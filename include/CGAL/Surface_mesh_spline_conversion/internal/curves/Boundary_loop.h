@@ -78,10 +78,13 @@ public:
   }
 
   // returns true if every edge has a curve that fits; else `message()` tells why not.
-  bool check_association(const FT& tolerance)
+  bool check_association(const FT& tolerance, const FT& corner_angle)
   {
     m_tolerance = tolerance;
-    m_message = association_check()();
+    const Boundary_association_check<Traits> check = association_check();
+    m_message = check();
+    for(size_type i = 0; i < m_halfedges.size() && m_message.empty(); ++i)
+      m_message = check.check_smoothness(i, corner_angle);
     return m_message.empty();
   }
 
