@@ -185,7 +185,8 @@ typename K::Vector_3 derivative_at_side(const CGAL::T_NURCC_surface_3<K>& surfac
   if(i + j == 1)
   {
     const double* c = i == 1 ? a : b;
-    return c[0] * surface.derivative(patch, u, v, 1, 0) + c[1] * surface.derivative(patch, u, v, 0, 1);
+    return c[0] * surface.derivative(patch, u, v, 1, 0)
+           + c[1] * surface.derivative(patch, u, v, 0, 1);
   }
   const double* c = i > 0 ? a : b;
   const double* d = i > 1 ? a : b;

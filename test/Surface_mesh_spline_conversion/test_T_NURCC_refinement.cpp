@@ -161,7 +161,8 @@ void check_extraordinary_rings(const Surface<K>& surface)
     typename K::Vector_3 limit = n * n * (ring.points[0] - CGAL::ORIGIN);
     for(int k = 0; k < n; ++k)
     {
-      limit = limit + 4 * (ring.point(k, 1, 0) - CGAL::ORIGIN) + (ring.point(k, 1, 1) - CGAL::ORIGIN);
+      limit = limit + 4 * (ring.point(k, 1, 0) - CGAL::ORIGIN)
+              + (ring.point(k, 1, 1) - CGAL::ORIGIN);
       const auto center = CGAL::centroid(ring.point(k, 0, 0), ring.point(k, 1, 0),
                                          ring.point(k, 1, 1), ring.point(k, 0, 1));
       assert(CGAL::squared_distance(center, next.point(k, 1, 1)) < 1e-24);
@@ -249,6 +250,20 @@ void test_kernel(unsigned int number_of_seeds)
     }
 }
 
+// repeated refinement at one place of a large grid stays near that place
+template <typename K>
+void test_local_refinement()
+{
+  Layout<K> layout = grid_layout<K>(20, 20);
+  std::mt19937 generator(1);
+  add_chains(layout, 0, generator);
+  Surface<K> surface(layout);
+  for(int step = 0; step < 6; ++step)
+    surface.refine_boundary({{0, 12.1, 12.1001}});
+  assert(surface.is_valid());
+  assert(surface.number_of_patches() < layout.number_of_quads() + 100);
+}
+
 // layouts that are not supported are reported
 void test_errors()
 {
@@ -267,6 +282,7 @@ int main()
 {
   test_kernel<CGAL::Simple_cartesian<double> >(3);
   test_kernel<CGAL::Exact_predicates_inexact_constructions_kernel>(1);
+  test_local_refinement<CGAL::Simple_cartesian<double> >();
   test_errors();
   return EXIT_SUCCESS;
 }

@@ -144,7 +144,8 @@ private:
     for(int axis = 0; axis < 2; ++axis)
     {
       const double x = to_parameter(origin.first[axis] + local[axis]);
-      const double middle = 0.5 * (to_parameter(origin.first[axis]) + to_parameter(origin.last[axis]));
+      const double middle
+        = 0.5 * (to_parameter(origin.first[axis]) + to_parameter(origin.last[axis]));
       result.nearby[axis] = x + 0.25 * (middle - x);
       const int d = (seat.direction + axis) & 3;
       const auto& star = m_mesh.star(v);

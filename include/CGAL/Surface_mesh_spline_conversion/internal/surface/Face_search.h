@@ -47,8 +47,8 @@ public:
 
   explicit Face_search(const Mesh& mesh) : m_mesh(mesh) {}
 
-  // returns the faces that overlap [0, extent[0]] x [0, extent[1]]. The origin is the source of `h`,
-  // `h` has the direction `turns`, and the face of `h` is the first one.
+  // returns the faces that overlap [0, extent[0]] x [0, extent[1]]. The origin is the source of
+  // `h`, `h` has the direction `turns`, and the face of `h` is the first one.
   const std::vector<Placement>& operator()(Halfedge h, int turns, const Position& extent)
   {
     m_queue.assign(1, place(h, turns, {{0, 0}}));

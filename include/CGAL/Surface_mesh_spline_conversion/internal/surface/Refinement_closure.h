@@ -265,32 +265,39 @@ private:
     for(std::size_t i = 0; i < junctions.size(); ++i)
       if(!junctions[i].crossings.empty())
         order.push_back(i);
+    // The T-junction on the coarsest edge first: its extension soon ends in the coarse part, whereas
+    // a fine one could be pushed ahead of another through the whole refined part.
     auto key = [&](std::size_t i)
     {
-      return std::make_pair(is_extensible(junctions[i].vertex, junctions[i].direction) ? 0 : 1,
-                            -static_cast<std::int64_t>(junctions[i].crossings.size()));
+      const Halfedge h = m_mesh.star(junctions[i].vertex).into[junctions[i].direction];
+      return -size(m_mesh.face(h), m_mesh.side(h) & 1);
     };
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t i, std::size_t j) { return key(i) < key(j); });
     std::vector<bool> is_settled(junctions.size(), false);
     for(std::size_t i : order)
     {
-      if(is_settled[i])
-        continue;
       const auto& junction = junctions[i];
+      const bool do_extend = is_extensible(junction);
+      bool is_waiting = is_settled[i];
+      for(std::size_t j : junction.crossings)
+        if(!do_extend && is_extensible(junctions[j]))
+          is_waiting = true;
+      if(is_waiting)
+        continue;
+      // the line above a corner on a regular vertex can only be shortened
       const Halfedge h = m_mesh.star(junction.vertex).into[junction.direction];
       const int axis = m_mesh.side(h) & 1;
-      // the line above a corner on a regular vertex can only be shortened
-      mark(m_mesh.face(h), is_extensible(junction.vertex, junction.direction) ? axis : 1 - axis);
+      mark(m_mesh.face(h), do_extend ? axis : 1 - axis);
       for(std::size_t j : junction.crossings)
         is_settled[j] = true;
     }
   }
 
   // is the T-junction in the middle of the side of a patch?
-  bool is_extensible(Vertex v, int direction) const
+  bool is_extensible(const typename T_junction_extensions<Point>::T_junction& junction) const
   {
-    const Halfedge h = m_mesh.star(v).into[direction];
+    const Halfedge h = m_mesh.star(junction.vertex).into[junction.direction];
     const std::int64_t position = rounded_parameter(m_mesh.offset(h) + m_mesh.length(h));
     return 0 < position && position < size(m_mesh.face(h), m_mesh.side(h) & 1);
   }

@@ -173,7 +173,8 @@ T_NURCC_surface_3<K>::stencil_point(const Extraordinary_face& face,
 {
   Vector_3 p = NULL_VECTOR;
   for(size_type k = 0; k < face.control_points.size(); ++k)
-    p = p + stencil[static_cast<Eigen::Index>(k)] * (control_point(face.control_points[k]) - ORIGIN);
+    p = p + stencil[static_cast<Eigen::Index>(k)]
+            * (control_point(face.control_points[k]) - ORIGIN);
   return ORIGIN + p;
 }
 
@@ -202,9 +203,9 @@ T_NURCC_surface_3<K>::quarter_rectangle(const Patch& patch, int corner, double s
   const std::array<double, 2> p = Extraordinary_face::to_face(corner, s0, t0);
   const std::array<double, 2> q = Extraordinary_face::to_face(corner, s1, t1);
   const double du = patch.u1 - patch.u0, dv = patch.v1 - patch.v0;
-  return Patch_origin{patch.quad,
-                      patch.u0 + du * (std::min)(p[0], q[0]), patch.v0 + dv * (std::min)(p[1], q[1]),
-                      patch.u0 + du * (std::max)(p[0], q[0]), patch.v0 + dv * (std::max)(p[1], q[1])};
+  return Patch_origin{patch.quad, patch.u0 + du * (std::min)(p[0], q[0]),
+                      patch.v0 + dv * (std::min)(p[1], q[1]), patch.u0 + du * (std::max)(p[0], q[0]),
+                      patch.v0 + dv * (std::max)(p[1], q[1])};
 }
 
 template <typename K>

@@ -154,7 +154,7 @@ public:
     return length(h) == offset ? h : split_edge(h, offset);
   }
 
-  // returns the distance of the parametric midpoint of a face from its side 3 (axis 0) or 0 (axis 1)
+  // the distance of the parametric midpoint of a face from its side 3 (axis 0) or 0 (axis 1)
   Ticks middle(Face f, int axis) const
   {
     const Face_origin& r = m_origin[f];
@@ -206,7 +206,10 @@ public:
   Ticks offset(Halfedge h) const { return m_offset[h]; }   // of the source, along the side
   int direction(Halfedge h) const { return m_direction[h]; } // at the source, if regular
   const Star& star(Vertex v) const { return m_star[v]; }
-  bool is_extraordinary(Vertex v) const { return !m_star[v].is_border && m_star[v].quarter_turns != 4; }
+  bool is_extraordinary(Vertex v) const
+  {
+    return !m_star[v].is_border && m_star[v].quarter_turns != 4;
+  }
 
   bool is_extraordinary_face(Face f) const
   {
