@@ -22,8 +22,8 @@ typedef std::vector<std::array<int, 3> > Triangles;
 
 const double pi = 3.14159265358979323846;
 
-// Opposite halfedges by a map of edges; every boundary loop is a chain, arc lengths are chord lengths;
-// boundary vertices where the boundary turns by more than 30 degrees are corners.
+// Opposite halfedges by a map of edges; every boundary loop is a chain, arc lengths are chord
+// lengths; boundary vertices where the boundary turns by more than 30 degrees are corners.
 inline Working_mesh make_mesh(const Points& points, const Triangles& triangles)
 {
   Working_mesh mesh;
@@ -215,7 +215,8 @@ inline Working_mesh with_noise(Working_mesh mesh, double amplitude)
 inline std::vector<Input> working_mesh_inputs()
 {
   std::vector<Input> inputs;
-  const auto add = [&inputs](const std::string& name, const Working_mesh& mesh, double size, int chi)
+  const auto add = [&inputs](const std::string& name, const Working_mesh& mesh, double size,
+                             int chi)
     { inputs.push_back(Input{name, mesh, size, chi}); };
   const auto plate_hole = [](int i, int j) { return 7 <= i && i < 12 && 5 <= j && j < 9; };
   const auto notch = [](int i, int j) { return i >= 8 && j >= 6; };
@@ -249,7 +250,8 @@ inline std::vector<Input> working_mesh_inputs()
   add("noisy sphere", with_noise(make_sphere(4), 0.02), 0.3, 2);
   add("noisy plate", with_noise(make_grid(20, 14, false, false, in_plane, plate_hole), 0.2), 2, 0);
   add("two components", disjoint_union(make_sphere(3),
-    make_grid(9, 7, false, false, [](double u, double v) { return in_plane(u / 4, v / 4); }, no_hole),
+    make_grid(9, 7, false, false,
+              [](double u, double v) { return in_plane(u / 4, v / 4); }, no_hole),
     Eigen::Vector3d(5, 0, 0)), 0.4, 3);
   return inputs;
 }

@@ -1,6 +1,6 @@
-// The cross field is aligned with the boundary, its singularities obey the theorem of Poincare and Hopf,
-// and the boundary has regular vertices and convex corners only; the working mesh is the input as a
-// point set. The indices are recomputed from the directions in space.
+// The cross field is aligned with the boundary, its singularities obey the theorem of Poincare and
+// Hopf, and the boundary has regular vertices and convex corners only; the working mesh is the
+// input as a point set. The indices are recomputed from the directions in space.
 
 #include "generated_working_meshes.h"
 
@@ -139,7 +139,8 @@ void test_generated_inputs()
   }
 }
 
-// The surplus of the concave corner of an L goes to a vertex near the bisector, about two quads away.
+// The surplus of the concave corner of an L goes to a vertex near the bisector, about two quads
+// away.
 void test_concave_corner()
 {
   Cross_field field;
@@ -167,8 +168,8 @@ void test_curvature_alignment()
   Cross_field field;
   // a cylinder whose mesh runs along a helix
   field.mesh = Test::make_grid(48, 40, true, false, [](double u, double v)
-    { return Eigen::Vector3d(std::cos(Test::pi * u / 24 + v / 9), std::sin(Test::pi * u / 24 + v / 9),
-                             v / 8); }, Test::no_hole);
+    { const double angle = Test::pi * u / 24 + v / 9;
+      return Eigen::Vector3d(std::cos(angle), std::sin(angle), v / 8); }, Test::no_hole);
   field.size.assign(field.mesh.number_of_vertices(), 0.3);
   assert(SC::internal::build_cross_field(field) == Error_code::OK);
   for(int f = 0; f < field.mesh.number_of_faces(); ++f)

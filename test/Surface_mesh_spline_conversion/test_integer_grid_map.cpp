@@ -27,7 +27,8 @@ Seamless_map make_map(const Working_mesh& mesh, double quad_size)
 }
 
 // the halfedges crossed on a shortest way from face `f` to face `g` that avoids some halfedges
-std::vector<int> face_path(const Working_mesh& mesh, int f, int g, const std::vector<char>& is_closed)
+std::vector<int> face_path(const Working_mesh& mesh, int f, int g,
+                           const std::vector<char>& is_closed)
 {
   std::vector<int> reached_by(mesh.number_of_faces(), -2);
   std::queue<int> queue;

@@ -1,5 +1,5 @@
-// Seamless maps are exactly seamless and aligned, positive, and have the prescribed cones, on inputs
-// with every topological feature. All checks use other formulas than the solver.
+// Seamless maps are exactly seamless and aligned, positive, and have the prescribed cones, on
+// inputs with every topological feature. All checks use other formulas than the solver.
 
 #include "generated_working_meshes.h"
 

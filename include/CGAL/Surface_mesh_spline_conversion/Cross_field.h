@@ -28,14 +28,15 @@ directions in every face, and the information how they are continued across edge
 
 <b>How to read the cross field.</b> Halfedges are numbered `3 * f + i`, see the working mesh. Face
 `f` has a frame: its first axis is the unit vector `axis[f]`, its second axis follows counter
-clockwise in the plane of the face. Direction `j` of the cross of `f` makes the angle
-`angle[f] + j * pi / 2` with the first axis. Let the halfedge `h` of `f` be opposite to a halfedge of
-`g`. Unfolding `g` into the plane of `f` turns the axis of `g` into the axis of `f` when it is turned
-by `kappa[h]`: a direction with the angle `a` in the frame of `f` has the angle `a + kappa[h]` in that
-of `g`. Direction `j` of `f` continues as direction `j + period_jump[h]` of `g`. The directions seen in
-a round trip about a vertex turn by an integer number of right angles: `quarter_turns[v]` quads meet
-at `v` in a quad mesh that follows the field; 4 inside and 2 on the boundary are the regular values,
-1 belongs to a convex corner. All other vertices are the singularities of the field.
+clockwise in the plane of the face. Direction `j` of the cross of `f` makes the angle `angle[f] +
+j * pi / 2` with the first axis. Let the halfedge `h` of `f` be opposite to a halfedge of `g`.
+Unfolding `g` into the plane of `f` turns the axis of `g` into the axis of `f` when it is turned
+by `kappa[h]`: a direction with the angle `a` in the frame of `f` has the angle `a + kappa[h]` in
+that of `g`. Direction `j` of `f` continues as direction `j + period_jump[h]` of `g`. The
+directions seen in a round trip about a vertex turn by an integer number of right angles:
+`quarter_turns[v]` quads meet at `v` in a quad mesh that follows the field; 4 inside and 2 on the
+boundary are the regular values, 1 belongs to a convex corner. All other vertices are the
+singularities of the field.
 
 The sum of `4 - quarter_turns[v]` over the inner vertices and of `2 - quarter_turns[v]` over the
 boundary vertices is four times the Euler characteristic, for each connected component. In the face
@@ -45,13 +46,13 @@ of a boundary halfedge one direction of the cross is parallel to this halfedge.
 */
 struct Cross_field
 {
-  internal::Working_mesh mesh;        ///< the mesh on which the field lives, a refinement of the input
+  internal::Working_mesh mesh;        ///< the mesh of the field, a refinement of the input
   std::vector<Eigen::Vector3d> axis;  ///< per face: first axis of its frame
   std::vector<double> angle;          ///< per face: angle of direction 0
   std::vector<double> kappa;          ///< per halfedge: turn between the frames, 0 on the boundary
   std::vector<int> period_jump;       ///< per halfedge: matching of the directions
   std::vector<int> quarter_turns;     ///< per vertex: number of right angles
-  std::vector<double> size;           ///< per vertex: wanted edge length of the quads, in model units
+  std::vector<double> size;           ///< per vertex: wanted edge length of the quads
 };
 
 } // namespace Surface_mesh_spline_conversion

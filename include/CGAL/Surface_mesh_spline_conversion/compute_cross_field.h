@@ -57,8 +57,8 @@ double quad_size_at(internal_np::Param_not_found, VertexDescriptor, double defau
   return default_size;
 }
 
-// Makes sizes grow at most by `gradation` per unit length: steeper ones could not be followed by quads
-// of bounded distortion.
+// Makes sizes grow at most by `gradation` per unit length: steeper ones could not be followed by
+// quads of bounded distortion.
 inline void limit_gradation(const Working_mesh& mesh, double gradation, std::vector<double>& size)
 {
   typedef std::pair<double, int> Entry; // (size, vertex)
@@ -92,15 +92,16 @@ inline void limit_gradation(const Working_mesh& mesh, double gradation, std::vec
 /*!
 \ingroup PkgSurfaceMeshSplineConversionRef
 
-computes a smooth cross field on a triangle mesh whose singularities and boundary behaviour suit quads
-of a given size.
+computes a smooth cross field on a triangle mesh whose singularities and boundary behaviour suit
+quads of a given size.
 
-In the boundary faces the field is aligned with the boundary, elsewhere it follows the directions of
-principal curvature where these are distinct. Boundary vertices are regular, but for corners with an
-interior angle below 135 degrees, at which one quad will stand; what the field turns more at other
-corners is moved to an inner vertex, about two quads away. Pairs of opposite singularities that are
-closer than two quads cancel each other. The field lives on a refinement of the mesh: edges that are
-longer than a quad or that join two boundary vertices or two singularities are split.
+In the boundary faces the field is aligned with the boundary, elsewhere it follows the directions
+of principal curvature where these are distinct. Boundary vertices are regular, but for corners
+with an interior angle below 135 degrees, at which one quad will stand; what the field turns more
+at other corners is moved to an inner vertex, about two quads away. Pairs of opposite
+singularities that are closer than two quads cancel each other. The field lives on a refinement of
+the mesh: edges that are longer than a quad or that join two boundary vertices or two
+singularities are split.
 
 \tparam TriangleMesh a model of `HalfedgeListGraph` and `FaceListGraph`
 \tparam BoundaryCurveNetwork an instance of `Boundary_curve_network_3`

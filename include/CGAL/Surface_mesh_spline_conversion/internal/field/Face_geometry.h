@@ -51,7 +51,7 @@ struct Face_geometry
   std::vector<double> area;            // per face
   std::vector<double> corner_angle;    // per corner
   std::vector<double> halfedge_angle;  // per halfedge, in the frame of its face
-  std::vector<double> edge_weight;     // per halfedge: weight of the difference across, 0 on the border
+  std::vector<double> edge_weight;     // per halfedge: of the difference across, 0 on the border
 
   Face_geometry(const Working_mesh& mesh, const std::vector<Eigen::Vector3d>& axis)
     : area(mesh.number_of_faces()), corner_angle(mesh.number_of_halfedges()),
@@ -86,8 +86,8 @@ private:
     }
   }
 
-  // ratio of the edge to the distance of the barycentres (in the mean), bounded because slivers would
-  // make the system ill-conditioned without telling anything about the field
+  // ratio of the edge to the distance of the barycentres (in the mean), bounded because slivers
+  // would make the system ill-conditioned without telling anything about the field
   double dual_edge_weight(const Working_mesh& mesh, int h) const
   {
     const double smallest_weight = 0.01, largest_weight = 100;

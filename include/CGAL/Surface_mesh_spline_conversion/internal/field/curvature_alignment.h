@@ -64,7 +64,8 @@ inline Eigen::Matrix3d face_shape_operator(const Working_mesh& mesh, int f,
   for(int h = 3 * f; h < 3 * f + 3; ++h)
   {
     const Eigen::Vector2d e = frame.transpose() * mesh.vector(h);
-    const Eigen::Vector2d d = frame.transpose() * (normals[mesh.target(h)] - normals[mesh.source(h)]);
+    const Eigen::Vector2d d
+      = frame.transpose() * (normals[mesh.target(h)] - normals[mesh.source(h)]);
     Eigen::Matrix<double, 2, 3> row;
     row << e[0], e[1], 0, 0, e[0], e[1];
     system += row.transpose() * row;

@@ -120,8 +120,8 @@ private:
 };
 
 // Makes the singularities of a cross field suitable for quads, by changing period jumps only: the
-// boundary gets regular vertices and convex corners (paper 3.1.3), what remains of other corners moves
-// inside, singularities of opposite index that are closer than two quads cancel each other.
+// boundary gets regular vertices and convex corners (paper 3.1.3), what remains of other corners
+// moves inside, singularities of opposite index that are closer than two quads cancel each other.
 // Changing the period jumps along a path moves an index from one of its ends to the other.
 class Index_surgery
 {
@@ -149,8 +149,8 @@ public:
     return success;
   }
 
-  // moves singularities near the given vertices, where a map turned out to be impossible, to vertices
-  // with better triangles
+  // moves singularities near the given vertices, where a map turned out to be impossible, to
+  // vertices with better triangles
   void relocate_near(const std::vector<int>& vertices)
   {
     const auto is_singular = [this](int x) { return !is_regular_inside(x) && is_inside(x); };

@@ -25,10 +25,10 @@ namespace Surface_mesh_spline_conversion {
 namespace internal {
 
 // Computes the angles of a cross field: boundary faces are aligned with the boundary, the others
-// follow the principal curvature directions where these are distinct, and vary as little as possible.
-// The representation e^(4 i angle) is smooth across edges; it is smoothed by a few steps of heat flow
-// over the length of a quad, each followed by a normalisation (Viertel and Osting 2019), which removes
-// singularities that quads of this size cannot resolve.
+// follow the principal curvature directions where these are distinct, and vary as little as
+// possible. The representation e^(4 i angle) is smooth across edges; it is smoothed by a few steps
+// of heat flow over the length of a quad, each followed by a normalisation (Viertel and Osting
+// 2019), which removes singularities that quads of this size cannot resolve.
 class Cross_field_smoother
 {
 public:

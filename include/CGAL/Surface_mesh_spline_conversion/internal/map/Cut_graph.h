@@ -21,9 +21,9 @@ namespace Surface_mesh_spline_conversion {
 namespace internal {
 
 // Cuts the mesh open so that the frames of neighbouring faces can be turned to agree except across
-// cuts, which all singularities lie on (combing). Corners at a vertex that are not separated by cuts
-// form a wedge; a maximal chain of cut edges through regular vertices is a branch, along which the
-// transition between the two sides is the same.
+// cuts, which all singularities lie on (combing). Corners at a vertex that are not separated by
+// cuts form a wedge; a maximal chain of cut edges through regular vertices is a branch, along which
+// the transition between the two sides is the same.
 class Cut_graph
 {
 public:

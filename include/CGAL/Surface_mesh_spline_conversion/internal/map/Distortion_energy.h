@@ -26,8 +26,8 @@ typedef Eigen::Matrix<double, 4, 4> Jacobian_hessian;
 
 // Distortion of a linear map J of the plane, zero derivative at rotations:
 //   E = (|J|^2 + det(J)^2 + 1) / chi(det(J)),  chi(d) = (d + sqrt(d^2 + epsilon^2)) / 2
-// (Garanzha et al. 2021). With epsilon = 0 it is infinite where det(J) <= 0; a positive epsilon lets
-// inverted triangles turn over.
+// (Garanzha et al. 2021). With epsilon = 0 it is infinite where det(J) <= 0; a positive epsilon
+// lets inverted triangles turn over.
 class Distortion_energy
 {
 public:
@@ -54,8 +54,8 @@ public:
     return (J.squaredNorm() + d * d + 1) / c;
   }
 
-  // gradient, and the hessian without its negative eigenvalues. With J = U diag(s0, s1) V^T it has the
-  // eigenvectors U twist V^T and U flip V^T and otherwise acts on U diag(., .) V^T.
+  // gradient, and the hessian without its negative eigenvalues. With J = U diag(s0, s1) V^T it has
+  // the eigenvectors U twist V^T and U flip V^T and otherwise acts on U diag(., .) V^T.
   void derivatives(const Eigen::Matrix2d& J, Jacobian_gradient& gradient,
                    Jacobian_hessian& hessian) const
   {

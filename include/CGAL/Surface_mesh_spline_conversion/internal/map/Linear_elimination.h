@@ -24,9 +24,9 @@ namespace CGAL {
 namespace Surface_mesh_spline_conversion {
 namespace internal {
 
-// Exact elimination of linear equations with integer coefficients over many variables, most of which
-// occur in short equations only. Dependent variables are kept as rational rows in terms of others,
-// which are substituted lazily.
+// Exact elimination of linear equations with integer coefficients over many variables, most of
+// which occur in short equations only. Dependent variables are kept as rational rows in terms of
+// others, which are substituted lazily.
 class Linear_elimination
 {
 public:

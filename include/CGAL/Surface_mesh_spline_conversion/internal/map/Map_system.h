@@ -90,8 +90,8 @@ public:
     return x;
   }
 
-  // Adds up `model(f, J, gradient, hessian)` of all triangles, and factorises. `drift` is a change of
-  // the scalars that the step has to make anyway. Returns `false` if the matrix is singular.
+  // Adds up `model(f, J, gradient, hessian)` of all triangles, and factorises. `drift` is a change
+  // of the scalars that the step has to make anyway. Returns `false` if the matrix is singular.
   template <typename Model>
   bool assemble(const Eigen::VectorXd& x, const Eigen::VectorXd* drift, Model model)
   {

@@ -65,16 +65,17 @@ Vector rotate(int quarter_turns, const Vector& x)
   return y;
 }
 
-// A locally injective map of the working mesh to the parameter plane, piecewise linear on triangles,
-// one chart per triangle, exact: transitions across edges are turns by right angles followed by
-// translations, boundary edges are parallel to an axis, and all triangles are positive.
+// A locally injective map of the working mesh to the parameter plane, piecewise linear on
+// triangles, one chart per triangle, exact: transitions across edges are turns by right angles
+// followed by translations, boundary edges are parallel to an axis, and all triangles are positive.
 struct Seamless_map
 {
   Working_mesh mesh;
   int fractional_bits = 0;                 // coordinates are multiples of 2^-fractional_bits quads
   std::vector<Fixed_point_2> coordinates;  // per corner 3 * f + i
   std::vector<int> rotation;               // per halfedge h of f with opposite in g:
-                                           // x_g = R^rotation[h] x_f + t, in 0..3; 0 on the boundary
+                                           // x_g = R^rotation[h] x_f + t, in 0..3; 0 on the
+                                           // boundary
   std::vector<int> cone;                   // per vertex: total angle in quarter turns
   std::vector<double> size;                // per vertex: wanted edge length of the quads
   int repairs = 0;                         // rung of the repair ladder that gave the map, 0: none

@@ -27,8 +27,8 @@ inline Fixed_point_2 axis_direction(int i)
   return rotate(i, Fixed_point_2{{1, 0}});
 }
 
-// Number of axis directions in the sector from `first`, included, to `last`, excluded, which is less
-// than half a turn.
+// Number of axis directions in the sector from `first`, included, to `last`, excluded, which is
+// less than half a turn.
 inline int count_axis_directions(const Fixed_point_2& first, const Fixed_point_2& last)
 {
   int n = 0;
@@ -76,8 +76,8 @@ inline int realized_cone(const Seamless_map& map, int v)
   return n;
 }
 
-// Vertices at triangles that are not positive, at inexact seams, and with wrong cones: none if the map
-// is what `Seamless_map` promises.
+// Vertices at triangles that are not positive, at inexact seams, and with wrong cones: none if the
+// map is what `Seamless_map` promises.
 inline std::vector<int> find_defects(const Seamless_map& map)
 {
   std::vector<char> is_bad(map.mesh.number_of_vertices(), 0);

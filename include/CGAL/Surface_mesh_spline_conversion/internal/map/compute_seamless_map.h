@@ -63,7 +63,8 @@ public:
     if(!defects.none())
       return std::make_pair(true, defects.vertices);
     use_references(system);
-    minimize_distortion(system, m_iterate, statistics.distortion_iterations);
+    const double small_decrement = 1e-3;
+    minimize_distortion(system, m_iterate, small_decrement, statistics.distortion_iterations);
 
     map.mesh = m_mesh;
     map.cone = m_field.quarter_turns;
@@ -91,7 +92,8 @@ private:
   // in the turned frame of its face
   Eigen::Vector2d halfedge_vector(int h) const
   {
-    const Eigen::Matrix2d shape = turned_shape(m_mesh, h / 3, m_field.axis[h / 3], direction(h / 3));
+    const Eigen::Matrix2d shape
+      = turned_shape(m_mesh, h / 3, m_field.axis[h / 3], direction(h / 3));
     switch(h % 3)
     {
       case 0: return shape.col(0);
@@ -100,8 +102,8 @@ private:
     }
   }
 
-  // from the lengths in quads to those of the initial map: undoes a graded size, because a conformal
-  // start has fewer inverted triangles; both have the same total area
+  // from the lengths in quads to those of the initial map: undoes a graded size, because a
+  // conformal start has fewer inverted triangles; both have the same total area
   bool compute_scales()
   {
     m_scale = conformal_scales(m_mesh, m_geometry, m_field.quarter_turns);
@@ -173,8 +175,8 @@ private:
 constexpr int number_of_rungs = 6;
 constexpr int rung_of_refinement = 4;
 
-// A rung of the ladder of repairs, for a field that gave no valid map near some vertices. Moving the
-// singularities to better triangles helps most.
+// A rung of the ladder of repairs, for a field that gave no valid map near some vertices. Moving
+// the singularities to better triangles helps most.
 inline Error_code repair(int rung, const std::vector<int>& vertices, Cross_field& field)
 {
   if(rung == rung_of_refinement)
@@ -188,8 +190,8 @@ inline Error_code repair(int rung, const std::vector<int>& vertices, Cross_field
   return relocate_singularities(field, vertices);
 }
 
-// Computes a seamless map that follows `input`. Where this fails, singularities are moved and the mesh
-// is refined.
+// Computes a seamless map that follows `input`. Where this fails, singularities are moved and the
+// mesh is refined.
 inline Error_code compute_seamless_map(const Cross_field& input, Seamless_map& map,
                                        Map_statistics& statistics)
 {

@@ -136,7 +136,8 @@ inline Map_defects find_map_defects(const Working_mesh& mesh, const std::vector<
 }
 
 // Controls epsilon of the energy while triangles are inverted (Garanzha et al. 2021, with bounds: a
-// large start wrecks the map, a tiny one makes the systems ill-conditioned before all is turned over).
+// large start wrecks the map, a tiny one makes the systems ill-conditioned before all is turned
+// over).
 class Epsilon_schedule
 {
 public:
@@ -168,8 +169,8 @@ private:
   double m_epsilon;
 };
 
-// Turns over inverted triangles; returns as soon as there are none and all cones are right, else with
-// the remaining defects.
+// Turns over inverted triangles; returns as soon as there are none and all cones are right, else
+// with the remaining defects.
 inline Map_defects untangle(const Working_mesh& mesh, const std::vector<int>& cone,
                             Map_system& system, Map_iterate& map, int& iterations)
 {
@@ -195,11 +196,12 @@ inline Map_defects untangle(const Working_mesh& mesh, const std::vector<int>& co
   return defects;
 }
 
-// Reduces the distortion of a map without inverted triangles; none gets inverted, and no cone changes.
-inline void minimize_distortion(Map_system& system, Map_iterate& map, int& iterations)
+// Reduces the distortion of a map without inverted triangles; none gets inverted, and no cone
+// changes.
+inline void minimize_distortion(Map_system& system, Map_iterate& map, double small_decrement,
+                                int& iterations)
 {
   const int most_iterations = 50;
-  const double small_decrement = 1e-3;
   for(int i = 0; i < most_iterations; ++i)
   {
     const Newton_step step = take_newton_step(system, map, Distortion_energy(0));

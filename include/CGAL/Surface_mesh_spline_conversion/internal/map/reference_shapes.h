@@ -28,8 +28,8 @@ namespace CGAL {
 namespace Surface_mesh_spline_conversion {
 namespace internal {
 
-// Makes a sliver less extreme: its height is not what the map should preserve, and it would spoil the
-// condition of the systems. `shape` holds two edge vectors.
+// Makes a sliver less extreme: its height is not what the map should preserve, and it would spoil
+// the condition of the systems. `shape` holds two edge vectors.
 inline Eigen::Matrix2d clamp_sliver(const Eigen::Matrix2d& shape)
 {
   const double smallest_ratio = 0.1;
@@ -66,8 +66,9 @@ inline double face_size(const Working_mesh& mesh, const std::vector<double>& siz
 }
 
 // Scales of the faces for which the scaled surface is flat up to the prescribed cones: the start of
-// the map. Solves L s = K_target - K with the cotangent Laplacian; the scale is e^s (compare Springborn,
-// Schroeder and Pinkall 2008, first Newton step). Returns an empty vector if this fails.
+// the map. Solves L s = K_target - K with the cotangent Laplacian; the scale is e^s (compare
+// Springborn, Schroeder and Pinkall 2008, first Newton step). Returns an empty vector if this
+// fails.
 inline std::vector<double> conformal_scales(const Working_mesh& mesh, const Face_geometry& geometry,
                                             const std::vector<int>& cone)
 {

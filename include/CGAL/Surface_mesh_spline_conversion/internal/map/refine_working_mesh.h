@@ -40,8 +40,8 @@ inline void split_ears(Working_mesh& mesh)
     mesh.split_edge(mesh.find_halfedge(e.first, e.second));
 }
 
-// Splits edges that are longer than `factor` quads, longest first, so that singularities find a place
-// and the map has enough freedom. `size` is the wanted size of the quads at the vertices.
+// Splits edges that are longer than `factor` quads, longest first, so that singularities find a
+// place and the map has enough freedom. `size` is the wanted size of the quads at the vertices.
 inline void split_long_edges(Working_mesh& mesh, std::vector<double>& size, double factor)
 {
   // a size far below the mesh edges is the user's mistake and must not exhaust the memory

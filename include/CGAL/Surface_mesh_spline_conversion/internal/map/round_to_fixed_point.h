@@ -30,8 +30,8 @@ namespace internal {
 constexpr int most_coordinate_bits = 45;
 
 // Rounds the free variables to multiples of the denominator, in units of 2^-bits quads: all other
-// coordinates are then integers that satisfy all equations exactly. Returns `false` if constants are
-// not representable.
+// coordinates are then integers that satisfy all equations exactly. Returns `false` if constants
+// are not representable.
 inline bool evaluate_exactly(const Map_space& space, const Cut_graph& cut, const Eigen::VectorXd& y,
                              int bits, Seamless_map& map)
 {
@@ -58,8 +58,8 @@ inline bool evaluate_exactly(const Map_space& space, const Cut_graph& cut, const
   return true;
 }
 
-// Makes the map exact, with more digits if triangles get lost by rounding. `map.mesh` and `map.cone`
-// must be set. Returns the vertices where the map is not valid.
+// Makes the map exact, with more digits if triangles get lost by rounding. `map.mesh` and
+// `map.cone` must be set. Returns the vertices where the map is not valid.
 inline std::vector<int> round_to_fixed_point(const Map_space& space, const Cut_graph& cut,
                                              const Eigen::VectorXd& x, const Eigen::VectorXd& y,
                                              Seamless_map& map)

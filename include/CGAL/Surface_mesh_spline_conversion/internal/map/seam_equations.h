@@ -26,9 +26,9 @@ namespace CGAL {
 namespace Surface_mesh_spline_conversion {
 namespace internal {
 
-// All maps that satisfy the linear equations of a seamless map: the scalar `2 * wedge + component` is
-// (sum of numerator * free variable + constant) / denominator. Row r owns the entries from start[r] to
-// start[r + 1].
+// All maps that satisfy the linear equations of a seamless map: the scalar `2 * wedge + component`
+// is (sum of numerator * free variable + constant) / denominator. Row r owns the entries from
+// start[r] to start[r + 1].
 struct Map_space
 {
   std::vector<int> start, column;
@@ -41,9 +41,9 @@ struct Map_space
   int number_of_free_variables() const { return static_cast<int>(free_scalar.size()); }
 };
 
-// Sets up and eliminates the equations: transitions across cuts, alignment of the boundary, prescribed
-// integer differences, and one fixed point per component. Elimination instead of penalties makes every
-// map exactly seamless and aligned.
+// Sets up and eliminates the equations: transitions across cuts, alignment of the boundary,
+// prescribed integer differences, and one fixed point per component. Elimination instead of
+// penalties makes every map exactly seamless and aligned.
 class Seam_equations
 {
 public:

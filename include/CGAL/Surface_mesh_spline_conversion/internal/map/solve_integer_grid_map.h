@@ -43,7 +43,7 @@ public:
     if(!follow_path(system) && !jump_and_untangle(system))
       return false;
     int iterations = 0;
-    minimize_distortion(system, m_iterate, iterations);
+    minimize_distortion(system, m_iterate, final_decrement, iterations);
 
     result.mesh = m_mesh;
     result.cone = m_start.cone;
@@ -54,6 +54,9 @@ public:
   }
 
 private:
+  // the quads of the layout come from this map: worth some more iterations than its start
+  static constexpr double final_decrement = 1e-4;
+
   bool set_up_equations(const std::vector<Integer_constraint>& constraints)
   {
     std::vector<int> components(m_mesh.number_of_halfedges(), -1);
@@ -96,8 +99,10 @@ private:
   {
     const Fixed_point_2& x = m_start.coordinates[corner];
     const Fixed_point_2& origin = m_start.coordinates[m_pin[m_component[corner / 3]]];
-    return Eigen::Vector2d(std::ldexp(static_cast<double>(x[0] - origin[0]), -m_start.fractional_bits),
-                           std::ldexp(static_cast<double>(x[1] - origin[1]), -m_start.fractional_bits));
+    Eigen::Vector2d point;
+    for(int i = 0; i < 2; ++i)
+      point[i] = std::ldexp(static_cast<double>(x[i] - origin[i]), -m_start.fractional_bits);
+    return point;
   }
 
   // free variables of the start, and the way that its scalars have to go
@@ -205,10 +210,10 @@ private:
   Eigen::VectorXd m_drift;        // violation of the constraints, as a change of the scalars
 };
 
-// Computes a seamless map with the combinatorics of `start` in which the differences between critical
-// vertices are those of `constraints`. If these connect all critical vertices and generate all closed
-// ways, then the result is an integer-grid map: all critical vertices and translations are integers.
-// Returns `false` if the constraints contradict each other or no such map was found.
+// Computes a seamless map with the combinatorics of `start` in which the differences between
+// critical vertices are those of `constraints`. If these connect all critical vertices and generate
+// all closed ways, then the result is an integer-grid map: all critical vertices and translations
+// are integers. Returns `false` if the constraints contradict each other or no such map was found.
 inline bool solve_integer_grid_map(const Seamless_map& start,
                                    const std::vector<Integer_constraint>& constraints,
                                    Seamless_map& result)
