@@ -123,7 +123,8 @@ inline Warp jittered(int m, int n, double jitter)
     {
       if(i % cells == 0)
         return double(i) / cells;
-      const double noise = std::sin(12.9898 * (i + 1) + 78.233 * (seed + 1)) * 43758.5453;
+      const double noise
+        = std::sin(12.9898 * (i + 1) + 78.233 * (seed + 1)) * 43758.5453;
       return (i + jitter * (noise - std::floor(noise) - 0.5)) / cells;
     };
     const int i = (std::min)(int(x * cells), cells - 1);
@@ -135,8 +136,9 @@ inline Warp jittered(int m, int n, double jitter)
     const double row = b * n, column = a * m;
     const int j = (std::min)(int(row), n - 1), i = (std::min)(int(column), m - 1);
     const double s = row - j, t = column - i;
-    return std::array<double, 2>{{(1 - s) * shifted(a, m, j) + s * shifted(a, m, j + 1),
-                                  (1 - t) * shifted(b, n, 50 + i) + t * shifted(b, n, 50 + (i + 1) % m)}};
+    const double x = (1 - s) * shifted(a, m, j) + s * shifted(a, m, j + 1);
+    const double y = (1 - t) * shifted(b, n, 50 + i) + t * shifted(b, n, 50 + (i + 1) % m);
+    return std::array<double, 2>{{x, y}};
   };
 }
 

@@ -88,7 +88,8 @@ void test_curves(const Input& input, double smallest_speed)
     for(int k = 1; k < int(n); ++k) // no jump of the second derivative at quad vertices
     {
       const double h = 1e-9;
-      const Vector jump = target.curve_derivative(c, k + h, 2) - target.curve_derivative(c, k - h, 2);
+      const Vector jump
+        = target.curve_derivative(c, k + h, 2) - target.curve_derivative(c, k - h, 2);
       assert(std::sqrt(jump.squared_length()) < 1e-6 * mean);
     }
   }

@@ -206,8 +206,11 @@ private:
     {
       double sum = 0;
       for(int i = 0; i < 4; ++i)
-        sum += std::sqrt(CGAL::to_double(squared_distance(m_layout.point(m_layout.vertex(q, i)),
-                                                          m_layout.point(m_layout.vertex(q, i + 1)))));
+      {
+        const Point_3& source = m_layout.point(m_layout.vertex(q, i));
+        const Point_3& target = m_layout.point(m_layout.vertex(q, i + 1));
+        sum += std::sqrt(CGAL::to_double(CGAL::squared_distance(source, target)));
+      }
       m_quad_sizes.push_back(FT(sum / 4));
     }
   }

@@ -71,8 +71,9 @@ template <typename Surface, typename Target,
 Error_code fit_boundary(Surface& surface, const Target& target, Conversion_report& report,
                         const NamedParameters& np = parameters::default_values())
 {
-  typedef typename internal_np::Lookup_named_param_def<internal_np::visitor_t, NamedParameters,
-                                                       Default_visitor>::reference Visitor_reference;
+  typedef internal_np::Lookup_named_param_def<internal_np::visitor_t, NamedParameters,
+                                              Default_visitor> Lookup_visitor;
+  typedef typename Lookup_visitor::reference Visitor_reference;
   typedef typename std::decay<Visitor_reference>::type Visitor;
 
   Default_visitor default_visitor;

@@ -15,6 +15,7 @@
 #include <CGAL/Surface_mesh_spline_conversion/Error_code.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/Cached_curve_target.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/fit_parameters.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/fitting/format_number.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/plan_bisection.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/to_eigen.h>
 
@@ -91,7 +92,8 @@ public:
     if(m_worst.bound < m_options.tolerance || m_curves.empty())
       return Error_code::OK;
     return fail(Error_code::TOLERANCE_NOT_REACHED, "the boundary tolerance was not reached: chain "
-                + std::to_string(m_worst_chain) + " has an error of " + std::to_string(m_worst.bound)
+                + std::to_string(m_worst_chain) + " has an error of " + format_number(m_worst.bound)
+                + " at the arc length " + format_number(m_report.boundary.worst_parameter)
                 + "; allow more patches or a larger boundary tolerance");
   }
 

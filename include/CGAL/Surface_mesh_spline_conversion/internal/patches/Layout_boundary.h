@@ -152,10 +152,23 @@ private:
     const double begin = is_closed ? c.arc_lengths.front() : 0;
     c.arc_lengths.front() = begin;
     c.arc_lengths.push_back(begin + length);
+    make_increasing(c.arc_lengths);
     is_fixed.push_back(false);
     c.correspondence = Correspondence_smoother(c.arc_lengths, is_fixed, is_closed)();
     for(size_type k = 0; k < c.sides.size(); ++k)
       c.tables.push_back(make_table(layout, chain, k, length, location));
+  }
+
+  // a layout with a side without length is not valid, but must not lead to undefined numbers
+  static void make_increasing(std::vector<double>& arc_lengths)
+  {
+    constexpr double smallest_share = 1e-6; // of the mean length of a side
+    const size_type n = arc_lengths.size() - 1;
+    const double gap = smallest_share * (arc_lengths.back() - arc_lengths.front()) / double(n);
+    for(size_type k = 1; k < n; ++k)
+      arc_lengths[k] = (std::max)(arc_lengths[k], arc_lengths[k - 1] + gap);
+    for(size_type k = n; k > 1; --k)
+      arc_lengths[k - 1] = (std::min)(arc_lengths[k - 1], arc_lengths[k] - gap);
   }
 
   // A vertex slides only if two quads meet there, so that the next quad along the boundary is the

@@ -53,8 +53,10 @@ public:
         corners[i++] = to_double_point(get(vpm, v));
       m_triangles.emplace_back(corners[0], corners[1], corners[2]);
     }
-    for(const Kernel::Triangle_3& t : m_triangles)
-      m_tree.insert(Primitive(&t));
+    // a triangle without area has no plane to project to; its neighbours cover it
+    for(std::size_t f = 0; f < m_triangles.size(); ++f)
+      if(normal(f) != NULL_VECTOR)
+        m_tree.insert(Primitive(&m_triangles[f]));
     m_tree.build();
   }
 
