@@ -2,6 +2,8 @@
 #ifndef BLOCK_LAYOUTS_H
 #define BLOCK_LAYOUTS_H
 
+#include <CGAL/Kernel/global_functions.h>
+#include <CGAL/number_utils.h>
 #include <CGAL/Surface_mesh_spline_conversion/Quad_layout.h>
 
 #include <array>
@@ -46,7 +48,7 @@ void set_chains(CGAL::Surface_mesh_spline_conversion::Quad_layout<K>& layout,
         const Side side = next.at(v);
         const std::size_t w = layout.vertex(side.first, side.second + 1);
         const double length
-          = std::sqrt(CGAL::squared_distance(layout.point(v), layout.point(w)));
+          = std::sqrt((layout.point(v) - layout.point(w)).squared_length());
         layout.set_boundary_side(side.first, side.second, {chain, s, s + length});
         s += length;
         v = w;

@@ -10,6 +10,7 @@
 #include <functional>
 #include <iostream>
 #include <map>
+#include <string>
 
 namespace SMSC = CGAL::Surface_mesh_spline_conversion;
 typedef CGAL::Simple_cartesian<double> K;
@@ -89,7 +90,9 @@ struct Measurement
   {
     auto map = mesh.add_property_map<Mesh::Halfedge_index, SMSC::Curve_segment<Curve_traits> >(
       "h:curve").first;
-    const SMSC::Error_code code = SMSC::interpolate_boundary_curves(mesh, traits, map);
+    std::string message;
+    const SMSC::Error_code code
+      = SMSC::interpolate_boundary_curves(mesh, traits, map, message);
     assert(code == SMSC::Error_code::OK);
     const SMSC::Boundary_curve_network_3<Mesh, Curve_traits> network(mesh, map, traits);
     assert(network.error() == SMSC::Error_code::OK && network.number_of_chains() == 4);

@@ -1,0 +1,152 @@
+// Shells of T-NURCC surfaces: extraordinary points of all valences at all distances from the boundary,
+// corners of both kinds, further vertices on the boundary, files.
+#include "block_layouts.h"
+#include "shell_checks.h"
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh_spline_conversion/IO/OBJ.h>
+#include <CGAL/Surface_mesh_spline_conversion/extract_NURBS_faces.h>
+
+#include <iostream>
+#include <sstream>
+#include <string>
+
+namespace SMSC = CGAL::Surface_mesh_spline_conversion;
+typedef CGAL::Simple_cartesian<double> K;
+typedef K::Point_3 Point_3;
+typedef SMSC::Quad_layout<K> Quad_layout;
+typedef SMSC::NURBS_shell_3<K> Shell;
+
+const double RADIUS = 10;
+
+Point_3 on_sphere(double x, double y, double z)
+{
+  const double length = std::sqrt(x * x + y * y + z * z);
+  return Point_3(RADIUS * x / length, RADIUS * y / length, RADIUS * z / length);
+}
+
+Point_3 on_hill(double x, double y, double)
+{
+  return Point_3(RADIUS * x + std::sin(3 * y) / 2, RADIUS * y, 3 * std::cos(2 * x) * std::cos(1.5 * y));
+}
+
+// the first corner of a bicubic face is a point of its patch, at a multiple of 1/16 of its sides
+void check_vertices(const CGAL::T_NURCC_surface_3<K>& surface, const Shell& shell)
+{
+  for(std::size_t f = 0; f < shell.number_of_faces(); ++f)
+  {
+    const auto& face = shell.face(f);
+    if(face.is_extraordinary)
+      continue;
+    double best = 1e9;
+    const auto o = surface.patch_origin(face.patch);
+    const Point_3 p = face.surface.control_point(0, 0);
+    for(int k = 0; k < 17 * 17; ++k)
+    {
+      const double u = o.u0 + (o.u1 - o.u0) * (k % 17) / 16, v = o.v0 + (o.v1 - o.v0) * (k / 17) / 16;
+      best = (std::min)(best, (p - surface.position(face.patch, u, v)).squared_length());
+    }
+    assert(best < 1e-24 * RADIUS * RADIUS);
+  }
+}
+
+void test(const std::string& name, const Quad_layout& layout, long euler_characteristic,
+          long number_of_border_edges, bool is_smooth)
+{
+  const CGAL::T_NURCC_surface_3<K> surface(layout);
+  assert(surface.error() == SMSC::Error_code::OK);
+  std::size_t faces = 0;
+  for(bool merge : {false, true})
+  {
+    Shell shell;
+    const auto statistics = SMSC::extract_NURBS_faces(
+      surface, shell, CGAL::parameters::interior_tolerance(1e-2).do_merge_patches(merge));
+    const Shell_checks<K> checks(shell);
+    std::cout << name << ": " << surface.number_of_patches() << " patches, "
+              << shell.number_of_faces() << " faces, caps deviate " << statistics.deviation
+              << ", gap " << checks.largest_gap << ", angle " << checks.largest_angle << std::endl;
+    assert(checks.euler_characteristic == euler_characteristic);
+    assert(checks.largest_gap < 1e-13 * RADIUS);
+    assert(!is_smooth || checks.largest_angle < 1e-8);
+    assert(statistics.number_of_caps == surface.number_of_extraordinary_points());
+    assert(statistics.number_of_sharp_caps == 0);
+    assert(!merge || checks.number_of_border_edges == number_of_border_edges);
+    assert(!merge || shell.number_of_faces() < faces);
+    faces = shell.number_of_faces();
+    check_vertices(surface, shell);
+  }
+}
+
+// an edge of the boundary is cut where a vertex is wanted, and nothing else changes
+void test_boundary_vertices()
+{
+  const Quad_layout layout = block_layout<K>(polygon_blocks(5), 2, on_hill);
+  const CGAL::T_NURCC_surface_3<K> surface(layout);
+  Shell plain, cut;
+  SMSC::extract_NURBS_faces(surface, plain);
+  std::vector<SMSC::Boundary_vertex<double> > vertices;
+  for(std::size_t q = 0; q < layout.number_of_quads(); ++q)
+    for(int side = 0; side < 4; ++side)
+      if(layout.is_border(q, side))
+      {
+        vertices.push_back({q, side, 0.3});
+        vertices.push_back({q, side, 0});
+        vertices.push_back({q, side, 1. / 3});
+      }
+  SMSC::extract_NURBS_faces(surface, cut, CGAL::parameters::boundary_vertices(vertices));
+  const Shell_checks<K> before(plain), after(cut);
+  assert(plain.number_of_faces() == cut.number_of_faces());
+  assert(after.euler_characteristic == before.euler_characteristic);
+  assert(after.largest_gap < 1e-13 * RADIUS);
+  assert(after.number_of_border_edges == long(vertices.size()));
+  for(const auto& v : vertices)
+  {
+    const double t[4][2] = {{v.parameter, 0}, {1, v.parameter}, {1 - v.parameter, 1},
+                            {0, 1 - v.parameter}};
+    const double x = t[v.side][0], y = t[v.side][1];
+    const Point_3 p = surface.position(surface.patch_at(v.quad, x, y), x, y);
+    double best = 1e9;
+    for(std::size_t i = 0; i < cut.number_of_vertices(); ++i)
+      best = (std::min)(best, (p - cut.point(i)).squared_length());
+    assert(best < 1e-24 * RADIUS * RADIUS);
+  }
+}
+
+std::size_t count(const std::string& text, const std::string& word)
+{
+  std::size_t n = 0;
+  for(std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1))
+    ++n;
+  return n;
+}
+
+void test_obj()
+{
+  const Quad_layout layout = block_layout<K>(cube_blocks(true), 2, on_sphere);
+  const CGAL::T_NURCC_surface_3<K> surface(layout);
+  std::ostringstream quads, control;
+  bool written = CGAL::IO::write_OBJ(quads, layout) && CGAL::IO::write_OBJ(control, surface);
+  assert(written);
+  assert(count(quads.str(), "v ") == layout.number_of_vertices());
+  assert(count(quads.str(), "f ") == layout.number_of_quads());
+  assert(count(control.str(), "v ") == surface.number_of_control_points());
+  assert(count(control.str(), "f ") == surface.control_mesh().number_of_faces());
+}
+
+int main()
+{
+  test("sphere 1", block_layout<K>(cube_blocks(false), 1, on_sphere), 2, 0, true);
+  test("sphere 3", block_layout<K>(cube_blocks(false), 3, on_sphere), 2, 0, true);
+  test("cup 1", block_layout<K>(cube_blocks(true), 1, on_sphere), 1, 2, true);
+  test("cup 2", block_layout<K>(cube_blocks(true), 2, on_sphere), 1, 2, true);
+  auto is_corner = [](const Point_3& p)
+  { return p.z() > 0 && std::abs(std::abs(p.x()) - std::abs(p.y())) < 1e-9; };
+  test("cup with corners", block_layout<K>(cube_blocks(true), 4, on_sphere, is_corner), 1, 5, false);
+  for(int n : {3, 5, 6, 8})
+    test("polygon " + std::to_string(n), block_layout<K>(polygon_blocks(n), 1, on_hill), 1, 2 * n,
+         true);
+  test("polygon 7", block_layout<K>(polygon_blocks(7), 2, on_hill), 1, 14, true);
+  test_boundary_vertices();
+  test_obj();
+  return 0;
+}
