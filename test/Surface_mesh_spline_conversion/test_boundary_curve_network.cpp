@@ -168,8 +168,9 @@ template <typename Traits>
 void append_segments(const typename Traits::Curve_3& curve, double first, double last, int n,
                      std::vector<SC::Curve_segment<Traits> >& segments)
 {
+  const double width = last - first;
   for(int i = 0; i < n; ++i)
-    segments.push_back({curve, first + (last - first) * i / n, first + (last - first) * (i + 1) / n});
+    segments.push_back({curve, first + width * i / n, first + width * (i + 1) / n});
 }
 
 template <typename K, typename Mesh>
@@ -446,7 +447,8 @@ void test_spline_conditions()
       for(std::size_t i = 0; i < points.size(); ++i)
         assert(norm(curve.point(t[i]) - points[i]) < 1e-13);
       for(int order = 1; is_closed && order <= 2; ++order)
-        assert(norm(curve.derivative(t.front(), order) - curve.derivative(t.back(), order)) < 1e-10);
+        assert(norm(curve.derivative(t.front(), order)
+                    - curve.derivative(t.back(), order)) < 1e-10);
       const auto third = [&](std::size_t i)
         { return curve.derivative((t[i] + t[i + 1]) / 2, 3); };
       if(!is_closed && points.size() > 3)

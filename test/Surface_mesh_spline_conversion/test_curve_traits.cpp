@@ -132,7 +132,8 @@ void test_lines_and_arcs()
   const Point_3 center(1, 0, -2);
   for(double last : {0.3, pi / 2, 2., pi, 4.7, 2 * pi})
   {
-    const Curve arc = Curve::make_circular_arc(center, Vector_3(0, 3, 0), Vector_3(0, 0, 3), 0, last);
+    const Curve arc
+      = Curve::make_circular_arc(center, Vector_3(0, 3, 0), Vector_3(0, 0, 3), 0, last);
     assert(arc.is_rational() && arc.degree() == 2);
     for(int i = 0; i <= 100; ++i)
     {
@@ -165,7 +166,8 @@ void test_curves_on_surfaces()
   surface.half_angle = 0.4;
   const std::vector<double> knots = {0, 0, 0, 1, 1, 1};
   const std::vector<Point_2> points = {Point_2(0.3, 0.2), Point_2(0.8, 0.2), Point_2(1.3, 0.7)};
-  for(auto type : {Surface::PLANE, Surface::CYLINDER, Surface::CONE, Surface::SPHERE, Surface::TORUS})
+  for(auto type : {Surface::PLANE, Surface::CYLINDER, Surface::CONE, Surface::SPHERE,
+                   Surface::TORUS})
   {
     surface.type = type;
     const Curve curve(surface, 2, knots, points);

@@ -77,9 +77,9 @@ public:
   }
 
   // checks that the tangent of the curve of edge i does not jump by more than `corner_angle` (in
-  // radians) between its ends. An interval of parameters in which the tangent turns by more is bisected
-  // towards the larger turn: of a smooth curve the turn decreases with the width, across a jump it
-  // does not.
+  // radians) between its ends. An interval of parameters in which the tangent turns by more is
+  // bisected towards the larger turn: of a smooth curve the turn decreases with the width, across a
+  // jump it does not.
   std::string check_smoothness(size_type i, const FT& corner_angle) const
   {
     const int number_of_intervals = 8;
@@ -199,8 +199,8 @@ private:
   }
 
   // An arc of more than half a turn leaves and arrives against the direction of its edge: then the
-  // parameters lead the long way round a closed curve. (Where not even the ends fit, there are better
-  // messages.)
+  // parameters lead the long way round a closed curve. (Where not even the ends fit, there are
+  // better messages.)
   std::string check_direction(size_type i) const
   {
     const Oriented_segment<Traits> curve(m_traits, m_segments[i]);
