@@ -10,7 +10,7 @@ build=$root/build/tool
 out=$root/build/demo
 cmake -S "$root/examples/Surface_mesh_spline_conversion" -B "$build" \
   -DCMAKE_BUILD_TYPE=Release -DBUILD_TESTING=OFF > /dev/null
-echo "Building the command line tool (about a minute) ..."
+echo "Building the command line tool (some minutes) ..."
 cmake --build "$build" --target convert_case -j2
 
 mkdir -p "$out"

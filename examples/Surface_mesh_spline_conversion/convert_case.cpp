@@ -23,7 +23,7 @@
 #include <vector>
 
 typedef CGAL::Simple_cartesian<double> K;
-typedef CGAL::Surface_mesh<K::Point_3> Mesh;
+typedef SC::Conversion_case<K> Case;
 typedef CGAL::T_NURCC_surface_3<K> Surface;
 
 // Ends a run that failed before the conversion: tells why, also in the report.
@@ -61,26 +61,55 @@ Exit_code exit_code(SC::Error_code code)
   return FAILURE;
 }
 
-// Converts, and writes whatever came out. `conversion` calls convert_to_T_NURCC() with the named
-// parameters it is given.
-template <typename Conversion>
-Exit_code convert_and_write(const Options& options, const Mesh& mesh, const std::string& unit,
-                            Report& report, const Conversion& conversion)
+// Reads a case folder or its case.json.
+Mesh_defect read_case(const std::string& path, Case& input)
 {
-  const Resolution resolution = find_resolution(options, mesh);
-  Progress_visitor visitor(options.is_quiet, number_of_stages(mesh));
+  std::string message;
+  if(std::filesystem::is_regular_file(path) && lower_case_extension(path) != ".json")
+    return {SC::Error_code::EMPTY_MESH,
+            path + " is neither a case nor an OFF, PLY, OBJ, or STL file"};
+  if(!CGAL::IO::read_case(path, input, message))
+    return {SC::Error_code::INVALID_BOUNDARY_ASSOCIATION, message};
+  return {SC::Error_code::OK, message};
+}
+
+// Reads a mesh file. An open mesh gets smooth curves through its boundary vertices.
+Mesh_defect read_bare_mesh(const std::string& filename, Case& input,
+                           std::vector<std::string>& warnings)
+{
+  typedef SC::NURBS_curve_traits_3<K> Curve_traits;
+  Mesh_defect defect = read_mesh(filename, input.mesh, warnings);
+  if(defect.code != SC::Error_code::OK)
+    return defect;
+  Case::Triangle_mesh& mesh = input.mesh;
+  auto curves = mesh.add_property_map<CGAL::SM_Halfedge_index, SC::Curve_segment<Curve_traits> >(
+    "h:curve").first;
+  defect.code = SC::interpolate_boundary_curves(mesh, Curve_traits(), curves, defect.message);
+  // one type of curves for all inputs: the conversion is compiled once
+  for(const CGAL::SM_Halfedge_index h : mesh.halfedges())
+    input.segments.push_back({Case::Curve_3(curves[h].curve), curves[h].first, curves[h].second});
+  input.corners.assign(mesh.number_of_vertices(), false);
+  input.unit = "mm";
+  return defect;
+}
+
+// Converts, and writes whatever came out.
+Exit_code convert_and_write(const Options& options, const Case& input,
+                            const std::vector<std::string>& warnings)
+{
+  const Resolution resolution = find_resolution(options, input.mesh);
+  Progress_visitor visitor(options.is_quiet, number_of_stages(input.mesh));
   std::vector<Surface> surfaces;
-  // the conversion starts a report of its own
-  const std::vector<std::string> warnings = report.warnings;
-  const SC::Error_code code
-    = conversion(surfaces, report,
-                 CGAL::parameters::boundary_tolerance(resolution.xi)
-                   .interior_tolerance(resolution.delta)
-                   .quad_size_map(resolution.quad_size)
-                   .error_metric(resolution.error_metric)
-                   .maximum_number_of_patches(resolution.maximum_number_of_patches)
-                   .visitor(std::ref(visitor)));
-  report.status = code;
+  Report report;
+  const SC::Error_code code = SC::convert_to_T_NURCC(
+    input.mesh, input.halfedge_curve_map(), input.traits, surfaces, report,
+    CGAL::parameters::boundary_tolerance(resolution.xi)
+      .interior_tolerance(resolution.delta)
+      .quad_size_map(resolution.quad_size)
+      .error_metric(resolution.error_metric)
+      .maximum_number_of_patches(resolution.maximum_number_of_patches)
+      .vertex_is_constrained_map(input.vertex_is_corner_map())
+      .visitor(std::ref(visitor)));
   report.warnings.insert(report.warnings.begin(), warnings.begin(), warnings.end());
   for(const std::string& warning : report.warnings)
     std::fprintf(stderr, "convert_case: warning: %s\n", warning.c_str());
@@ -92,50 +121,10 @@ Exit_code convert_and_write(const Options& options, const Mesh& mesh, const std:
     surfaces.clear(); // what is there is only a part of the result
   SC::STEP_information information;
   information.product = std::filesystem::path(options.input).stem().string();
-  information.unit = unit;
+  information.unit = input.unit;
   information.uncertainty = resolution.xi;
-  const bool is_written = write_results(options, mesh, surfaces, information, report);
+  const bool is_written = write_results(options, input.mesh, surfaces, information, report);
   return is_written ? exit_code(code) : FAILURE;
-}
-
-Exit_code convert_case(const Options& options)
-{
-  Report report;
-  SC::Conversion_case<K> input;
-  std::string message;
-  if(!CGAL::IO::read_case(options.input, input, message))
-    return stop(options, report, SC::Error_code::INVALID_BOUNDARY_ASSOCIATION, message);
-  return convert_and_write(options, input.mesh, input.unit, report,
-    [&input](std::vector<Surface>& surfaces, Report& r, const auto& np)
-    {
-      return SC::convert_to_T_NURCC(input.mesh, input.halfedge_curve_map(), input.traits, surfaces,
-                                    r, np.vertex_is_constrained_map(input.vertex_is_corner_map()));
-    });
-}
-
-Exit_code convert_bare_mesh(const Options& options)
-{
-  Report report;
-  Mesh mesh;
-  const Mesh_defect defect = read_mesh(options.input, mesh, report.warnings);
-  if(defect.code != SC::Error_code::OK)
-    return stop(options, report, defect.code, defect.message);
-  if(CGAL::is_closed(mesh))
-    return convert_and_write(options, mesh, "mm", report,
-      [&mesh](std::vector<Surface>& surfaces, Report& r, const auto& np)
-      { return SC::convert_to_T_NURCC(mesh, surfaces, r, np); });
-
-  typedef SC::NURBS_curve_traits_3<K> Curve_traits;
-  typedef SC::Curve_segment<Curve_traits> Segment;
-  const Curve_traits traits;
-  auto curves = mesh.add_property_map<Mesh::Halfedge_index, Segment>("h:curve").first;
-  std::string message;
-  const SC::Error_code code = SC::interpolate_boundary_curves(mesh, traits, curves, message);
-  if(code != SC::Error_code::OK)
-    return stop(options, report, code, message);
-  return convert_and_write(options, mesh, "mm", report,
-    [&mesh, &curves, &traits](std::vector<Surface>& surfaces, Report& r, const auto& np)
-    { return SC::convert_to_T_NURCC(mesh, curves, traits, surfaces, r, np); });
 }
 
 Exit_code run(const Options& options)
@@ -147,13 +136,12 @@ Exit_code run(const Options& options)
   const std::string error = prepare_output(options);
   if(!error.empty())
     return stop(options, report, SC::Error_code::INVALID_PARAMETER, error);
-  if(is_mesh_file(options.input))
-    return convert_bare_mesh(options);
-  if(std::filesystem::is_regular_file(options.input)
-     && lower_case_extension(options.input) != ".json")
-    return stop(options, report, SC::Error_code::EMPTY_MESH,
-                options.input + " is neither a case nor an OFF, PLY, OBJ, or STL file");
-  return convert_case(options);
+  Case input;
+  const Mesh_defect defect = is_mesh_file(options.input)
+    ? read_bare_mesh(options.input, input, report.warnings) : read_case(options.input, input);
+  if(defect.code != SC::Error_code::OK)
+    return stop(options, report, defect.code, defect.message);
+  return convert_and_write(options, input, report.warnings);
 }
 
 int main(int argc, char* argv[])

@@ -68,7 +68,7 @@ int main()
   SC::Conversion_report report;
   const SC::Error_code code = SC::convert_to_T_NURCC(
     mesh, curves, Traits(), surfaces, report,
-    CGAL::parameters::boundary_tolerance(1e-5).interior_tolerance(0.01).quad_size_map(0.3));
+    CGAL::parameters::boundary_tolerance(1e-5).interior_tolerance(0.02).quad_size_map(0.3));
   std::cout << SC::error_message(code) << ": " << report.counts.patches
             << " patches, distance from the circle " << report.boundary.max_deviation
             << ", from the mesh " << report.interior.max_deviation << std::endl;

@@ -2,7 +2,7 @@
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh_spline_conversion/Boundary_curve_network_3.h>
-#include <CGAL/Surface_mesh_spline_conversion/IO/OBJ.h>
+#include <CGAL/Surface_mesh_spline_conversion/IO/OBJ_quad_mesh.h>
 #include <CGAL/Surface_mesh_spline_conversion/IO/read_case.h>
 #include <CGAL/Surface_mesh_spline_conversion/compute_cross_field.h>
 #include <CGAL/Surface_mesh_spline_conversion/compute_integer_grid_map.h>

@@ -3,7 +3,7 @@
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh_spline_conversion/IO/STEP.h>
-#include <CGAL/Surface_mesh_spline_conversion/IO/VTK.h>
+#include <CGAL/Surface_mesh_spline_conversion/IO/VTU.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/extract_shell.h>
 
 #include <chrono>

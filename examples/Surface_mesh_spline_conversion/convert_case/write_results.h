@@ -5,7 +5,7 @@
 #include <CGAL/Surface_mesh_spline_conversion/Conversion_report.h>
 #include <CGAL/Surface_mesh_spline_conversion/IO/JSON_report.h>
 #include <CGAL/Surface_mesh_spline_conversion/IO/STEP.h>
-#include <CGAL/Surface_mesh_spline_conversion/IO/VTK.h>
+#include <CGAL/Surface_mesh_spline_conversion/IO/VTU.h>
 #include <CGAL/Surface_mesh_spline_conversion/IO/conversion_history.h>
 #include <CGAL/Surface_mesh_spline_conversion/IO/surface_pictures.h>
 #include <CGAL/Surface_mesh_spline_conversion/NURBS_shell_3.h>

@@ -6,8 +6,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-#ifndef CGAL_SURFACE_MESH_SPLINE_CONVERSION_IO_OBJ_H
-#define CGAL_SURFACE_MESH_SPLINE_CONVERSION_IO_OBJ_H
+#ifndef CGAL_SURFACE_MESH_SPLINE_CONVERSION_IO_OBJ_QUAD_MESH_H
+#define CGAL_SURFACE_MESH_SPLINE_CONVERSION_IO_OBJ_QUAD_MESH_H
 
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
@@ -126,4 +126,4 @@ bool write_OBJ(const std::string& filename, const T_NURCC_surface_3<K>& surface)
 } // namespace IO
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_SPLINE_CONVERSION_IO_OBJ_H
+#endif // CGAL_SURFACE_MESH_SPLINE_CONVERSION_IO_OBJ_QUAD_MESH_H

@@ -6,8 +6,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-#ifndef CGAL_SURFACE_MESH_SPLINE_CONVERSION_IO_VTK_H
-#define CGAL_SURFACE_MESH_SPLINE_CONVERSION_IO_VTK_H
+#ifndef CGAL_SURFACE_MESH_SPLINE_CONVERSION_IO_VTU_H
+#define CGAL_SURFACE_MESH_SPLINE_CONVERSION_IO_VTU_H
 
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
@@ -174,4 +174,4 @@ bool write_VTU(const std::string& filename,
 } // namespace IO
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_SPLINE_CONVERSION_IO_VTK_H
+#endif // CGAL_SURFACE_MESH_SPLINE_CONVERSION_IO_VTU_H
