@@ -120,9 +120,12 @@ private:
     for(double& scale : m_scale)
       scale *= std::sqrt(wanted / present);
     m_references.reserve(m_mesh.number_of_faces());
+    const std::vector<double> angle_ratio = angle_ratios(m_mesh, m_field.quarter_turns);
     for(int f = 0; f < m_mesh.number_of_faces(); ++f)
     {
-      const Eigen::Matrix2d shape = turned_shape(m_mesh, f, m_field.axis[f], direction(f));
+      const Eigen::Matrix2d shape
+        = scale_angle(m_mesh, f, angle_ratio,
+                      turned_shape(m_mesh, f, m_field.axis[f], direction(f)));
       m_references.push_back(
         make_reference(clamp_sliver(shape / face_size(m_mesh, m_field.size, f))));
     }

@@ -55,6 +55,51 @@ inline Eigen::Matrix2d turned_shape(const Working_mesh& mesh, int f, const Eigen
   return turn * edges;
 }
 
+// By how much the map must scale the angles at the vertices that are singularities or corners, where
+// this is not an accident of the discretization; one elsewhere.
+inline std::vector<double> angle_ratios(const Working_mesh& mesh, const std::vector<int>& cone)
+{
+  std::vector<double> total_angle(mesh.number_of_vertices(), 0), ratio(total_angle.size(), 1);
+  for(int h = 0; h < mesh.number_of_halfedges(); ++h)
+  {
+    const Eigen::Vector3d a = mesh.vector(h), b = -mesh.vector(Working_mesh::previous(h));
+    total_angle[mesh.source(h)] += std::atan2(a.cross(b).norm(), a.dot(b));
+  }
+  for(int v = 0; v < mesh.number_of_vertices(); ++v)
+    if(mesh.is_corner[v] || cone[v] != (mesh.is_border_vertex(v) ? 2 : 4))
+      ratio[v] = cone[v] * right_angle / total_angle[v];
+  return ratio;
+}
+
+// Scales the angle at a singularity or corner of face `f`, and keeps the lengths of the two edges
+// there. No map is isometric at such a vertex; the best one scales the angles of all its faces
+// equally. With this reference it has no distortion. Otherwise a few faces would take all of it, and
+// the isoline that leaves a concave corner could have more than a straight angle on one side.
+inline Eigen::Matrix2d scale_angle(const Working_mesh& mesh, int f,
+                                   const std::vector<double>& angle_ratio,
+                                   const Eigen::Matrix2d& shape)
+{
+  const double largest_angle = 0.9 * pi;
+  const std::array<Eigen::Vector2d, 3> p = {{Eigen::Vector2d::Zero(), shape.col(0), shape.col(1)}};
+  for(int i = 0; i < 3; ++i)
+  {
+    const double ratio = angle_ratio[mesh.triangles[f][i]];
+    if(ratio == 1)
+      continue;
+    const Eigen::Vector2d a = p[(i + 1) % 3] - p[i], b = p[(i + 2) % 3] - p[i];
+    const double angle = std::atan2(a[0] * b[1] - a[1] * b[0], a.dot(b));
+    const double turn = (std::min)(ratio * angle, largest_angle);
+    const Eigen::Vector2d turned
+      = Eigen::Rotation2Dd(turn) * a * (b.norm() / a.norm());
+    std::array<Eigen::Vector2d, 3> q = p;
+    q[(i + 2) % 3] = p[i] + turned;
+    Eigen::Matrix2d result;
+    result << q[1] - q[0], q[2] - q[0];
+    return result;
+  }
+  return shape;
+}
+
 inline Map_system::Reference make_reference(const Eigen::Matrix2d& shape)
 {
   return Map_system::Reference{shape.inverse(), shape.determinant() / 2};

@@ -86,10 +86,12 @@ private:
 
   void set_references(Map_system& system) const
   {
+    const std::vector<double> angle_ratio = angle_ratios(m_mesh, m_start.cone);
     for(int f = 0; f < m_mesh.number_of_faces(); ++f)
     {
       const Eigen::Matrix2d shape
-        = turned_shape(m_mesh, f, m_mesh.vector(3 * f).normalized(), 0);
+        = scale_angle(m_mesh, f, angle_ratio,
+                      turned_shape(m_mesh, f, m_mesh.vector(3 * f).normalized(), 0));
       system.references().push_back(
         make_reference(clamp_sliver(shape / face_size(m_mesh, m_start.size, f))));
     }
