@@ -176,7 +176,8 @@ void test_round_trip(const Shell& shell)
 void add_square(Shell& shell, double x, double y, double z)
 {
   const SMSC::Knot_vector<double> knots(1, {0, 1});
-  const std::array<K::Point_3, 4> p = {{{x, y, z}, {x + 1, y, z}, {x + 1, y + 1, z}, {x, y + 1, z}}};
+  const std::array<K::Point_3, 4> p
+    = {{{x, y, z}, {x + 1, y, z}, {x + 1, y + 1, z}, {x, y + 1, z}}};
   std::array<std::size_t, 4> v;
   for(int i = 0; i < 4; ++i)
     v[i] = shell.add_vertex(p[i]);
@@ -210,6 +211,9 @@ void test_components_and_header()
   assert(os.str().find("1970-01-01T00:00:00") != std::string::npos);
   for(long p : file.of_type("CARTESIAN_POINT"))
     assert(STEP_file::numbers(file.entities.at(p).arguments, 0).size() == 3);
+  information.unit = "furlong";
+  written = CGAL::IO::write_STEP(os, shell, information);
+  assert(!written);
 }
 
 void test_speed()

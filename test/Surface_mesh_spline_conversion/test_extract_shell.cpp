@@ -109,8 +109,40 @@ void test(int m, int depth)
     }
 }
 
+// Ribbons with arbitrary cross derivatives admit no smooth cap; what remains exact are the curves of
+// the outer sides and the spokes.
+void test_ribbons_that_do_not_fit(int n)
+{
+  typedef SMSC::internal::Cap_operator Cap_operator;
+  const Cap_operator smooth(n), rough(n, false);
+  Eigen::MatrixXd data(smooth.number_of_data(), 3);
+  for(int i = 0; i < data.rows(); ++i)
+    data.row(i) << std::sin(1.1 * i), std::cos(1.7 * i), std::sin(2.3 * i + 1);
+  for(int k = 0; k < n; ++k) // the sides meet in their ends
+  {
+    const int row = Cap_operator::RIBBON_DATA * k;
+    data.row(row + 8 + 3) = data.row(row + 3);
+    data.row(row) = data.row(Cap_operator::RIBBON_DATA * ((k + n - 1) % n) + 8);
+  }
+  assert(smooth.residual(smooth(data), data) > 0.1);
+  const Eigen::MatrixXd points = rough(data), raise = Cap_operator::elevation(3, 5);
+  for(int k = 0; k < n; ++k)
+    for(int b = 0; b < 6; ++b)
+    {
+      const int row = Cap_operator::RIBBON_DATA * k, first = Cap_operator::POINTS * k;
+      const int previous = Cap_operator::POINTS * ((k + n - 1) % n);
+      assert((points.row(first + 6 * b + 5)
+              - raise.row(b) * data.block(row, 0, 4, 3)).norm() < 1e-11);
+      assert((points.row(first + 30 + b)
+              - raise.row(b) * data.block(row + 8, 0, 4, 3)).norm() < 1e-11);
+      assert((points.row(first + b) - points.row(previous + 6 * b)).norm() < 1e-11);
+    }
+}
+
 int main()
 {
+  for(int n : {3, 5, 9})
+    test_ribbons_that_do_not_fit(n);
   test<CGAL::Simple_cartesian<double> >(1, 4);
   test<CGAL::Exact_predicates_inexact_constructions_kernel>(2, 3);
   return 0;

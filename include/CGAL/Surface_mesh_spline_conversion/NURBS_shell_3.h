@@ -11,7 +11,7 @@
 
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
-#include <CGAL/Surface_mesh_spline_conversion/internal/export/Knot_vector.h>
+#include <CGAL/Surface_mesh_spline_conversion/Knot_vector.h>
 
 #include <CGAL/Origin.h>
 #include <CGAL/assertions.h>

@@ -64,6 +64,11 @@ public:
     : m_out(os), m_shell(shell), m_information(information)
   {}
 
+  static bool is_unit(const std::string& unit)
+  {
+    return unit == "in" || si_units().count(unit) != 0;
+  }
+
   void operator()()
   {
     write_header();
@@ -147,14 +152,18 @@ private:
           << solid_angle << "))REPRESENTATION_CONTEXT('',''));\n";
   }
 
+  // the prefixes of units of length
+  static std::map<std::string, const char*> si_units()
+  {
+    return {{"mm", ".MILLI."}, {"cm", ".CENTI."}, {"m", "$"}, {"um", ".MICRO."}};
+  }
+
   Id write_length_unit()
   {
-    static const std::map<std::string, const char*> si_units = {
-      {"mm", ".MILLI."}, {"cm", ".CENTI."}, {"m", "$"}, {"um", ".MICRO."}};
-    auto it = si_units.find(m_information.unit);
+    const bool is_inch = (m_information.unit == "in");
     const Id length = entity("(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(");
-    m_out << (it == si_units.end() ? ".MILLI." : it->second) << ",.METRE.));\n";
-    if(m_information.unit != "in")
+    m_out << si_units().at(is_inch ? "mm" : m_information.unit) << ",.METRE.));\n";
+    if(!is_inch)
       return length;
     const Id measure = entity("LENGTH_MEASURE_WITH_UNIT(LENGTH_MEASURE(25.4),#");
     m_out << length << ");\n";
@@ -405,14 +414,17 @@ as many digits as are needed to read back the same numbers.
 \param os the output stream
 \param shell the shell
 \param information header, unit and uncertainty
-\return `true` if the stream is still good
+\return `true` if the unit is known and the stream is still good
 */
 template <typename K>
 bool write_STEP(std::ostream& os, const Surface_mesh_spline_conversion::NURBS_shell_3<K>& shell,
                 const Surface_mesh_spline_conversion::STEP_information& information
                   = Surface_mesh_spline_conversion::STEP_information())
 {
-  Surface_mesh_spline_conversion::internal::STEP_writer<K>(os, shell, information)();
+  typedef Surface_mesh_spline_conversion::internal::STEP_writer<K> STEP_writer;
+  if(!STEP_writer::is_unit(information.unit))
+    return false;
+  STEP_writer(os, shell, information)();
   os.flush();
   return os.good();
 }
@@ -422,7 +434,7 @@ bool write_STEP(std::ostream& os, const Surface_mesh_spline_conversion::NURBS_sh
 
 writes a shell to the file `filename`, as above.
 
-\return `true` if the file was written
+\return `true` if the unit is known and the file was written
 */
 template <typename K>
 bool write_STEP(const std::string& filename,

@@ -68,7 +68,10 @@ inline void write_vtu_geometry(Text_buffer& out, const std::vector<Bezier_piece>
   for(const Bezier_piece& piece : pieces)
   {
     for(std::size_t i : vtk_point_order(piece.degree[0], piece.degree[1]))
-      out << piece.points[i].x() << ' ' << piece.points[i].y() << ' ' << piece.points[i].z() << '\n';
+    {
+      const Eigen::Vector3d& p = piece.points[i];
+      out << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
+    }
     n += piece.points.size();
   }
   out << "</DataArray>\n</Points>\n<Cells>\n";

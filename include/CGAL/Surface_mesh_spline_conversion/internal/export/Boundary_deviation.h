@@ -70,7 +70,7 @@ public:
     return best;
   }
 
-  /// the samples at the ends of intervals of curve `i`: where they begin in `points()`
+  /// the place of an entry of `points()`
   struct Sample
   {
     std::size_t curve;
