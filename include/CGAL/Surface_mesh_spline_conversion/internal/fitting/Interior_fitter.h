@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/Boundary_fitter.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/Interior_samples.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/Interior_system.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/fitting/corner_tangents.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/fit_parameters.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/format_number.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/interior_error.h>
@@ -110,7 +111,9 @@ private:
     if(!m_visitor.go_further())
       return Error_code::INTERRUPTED;
     Samples samples(m_surface, m_target);
-    System system(samples, boundary_control_points());
+    std::vector<bool> is_fixed = boundary_control_points();
+    Corner_tangents<Surface, Target>(m_surface, m_target)(is_fixed);
+    System system(samples, is_fixed);
     if(!system.is_valid() || !solve(system, first_accuracy))
       return fail(Error_code::SINGULAR_SYSTEM, "the control points could not be determined");
     for(size_type i = 0; i < number_of_reprojections(); ++i)
