@@ -20,12 +20,14 @@ struct Smooth_target
 {
   typedef Kernel::FT FT;
   typedef Kernel::Point_3 Point_3;
+  typedef synthetic::Layout Layout;
 
   const Input& input;
   const Surface& shape;
 
   const Layout& layout() const { return input.layout(); }
   double diameter() const { return input.target().diameter(); }
+  double quad_size(std::size_t q) const { return input.target().quad_size(q); }
   std::size_t number_of_chains() const { return input.target().number_of_chains(); }
   std::size_t number_of_sides(std::size_t c) const { return input.target().number_of_sides(c); }
   double arc_length(std::size_t c, double x) const { return input.target().arc_length(c, x); }

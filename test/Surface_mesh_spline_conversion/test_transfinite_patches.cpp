@@ -99,6 +99,9 @@ void test_inside(const Input& input)
 {
   const Target& target = input.target();
   std::size_t inner = 0;
+  double largest_size = 0;
+  for(std::size_t q = 0; q < input.layout().number_of_quads(); ++q)
+    largest_size = (std::max)(largest_size, target.quad_size(q));
   for(std::size_t q = 0; q < input.layout().number_of_quads(); ++q)
     for(double u : {0.1, 0.45, 0.8})
       for(double v : {0.2, 0.55, 0.9})
@@ -116,12 +119,13 @@ void test_inside(const Input& input)
         assert(distance(target.foot_point(foot, q, u, v), foot) < 1e-12);
         // the foot of a far point may lie anywhere, and is not accepted far away
         const Point far = target.foot_point(p + Vector(10, 7, 8), q, u, v);
-        assert(distance(far, p) <= 0.25 * target.quad_size(q));
+        assert(distance(far, p) <= 0.5 * largest_size);
       }
   assert(inner > 0);
 }
 
-// in quads with a boundary side the foot is as close as the best of a fine grid
+// In quads with a boundary side the foot is as close as the best of a fine grid, up to what the
+// displacement changes in between.
 void test_feet_in_boundary_quads(const Input& input)
 {
   const Target& target = input.target();
@@ -135,7 +139,7 @@ void test_feet_in_boundary_quads(const Input& input)
     for(int i = -20; i <= 20; ++i)
       for(int j = -20; j <= 20; ++j)
         best = (std::min)(best, distance(p, target.point(q, 0.4 + i / 200., 0.6 + j / 200.)));
-    assert(distance(p, target.foot_point(p, q, 0.4, 0.6)) < 1.05 * best + 1e-4 * size);
+    assert(distance(p, target.foot_point(p, q, 0.4, 0.6)) < 1.2 * best + 2e-3 * size);
   }
 }
 

@@ -22,6 +22,7 @@
 #include <CGAL/number_utils.h>
 #include <CGAL/squared_distance_3.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -173,8 +174,8 @@ public:
   coordinates `(u,v)` of `quad`. In a quad with a boundary side, the displacement of the mesh is taken
   to be that at `(u,v)` in this neighbourhood.
 
-  If the closest point of the mesh is further away from the one at `(u,v)` than a quarter of the size
-  of the quad, or lies on a face with opposite orientation, it belongs to another part of the mesh;
+  If the closest point of the mesh is further away from the one at `(u,v)` than half the size
+  of the quad or of the mean quad, or lies on a face with opposite orientation, it belongs to another part of the mesh;
   then `point(quad, u, v)` is returned.
   */
   Point_3 foot_point(const Point_3& p, size_type quad, const FT& u, const FT& v) const
@@ -185,7 +186,9 @@ public:
     const Mesh_projection::Foot hint{Mesh_projection::to_double_point(start.location.point),
                                      start.location.face};
     const Mesh_projection::Foot foot = (*m_mesh)(query, hint);
-    const double limit = largest_move * CGAL::to_double(m_quad_sizes[quad]);
+    // quads near extraordinary points may be much smaller than the others
+    const double limit
+      = largest_move * CGAL::to_double((std::max)(m_quad_sizes[quad], m_mean_quad_size));
     const bool is_near = CGAL::squared_distance(foot.point, hint.point) <= limit * limit;
     const bool is_same_side
       = foot.face == hint.face || m_mesh->normal(foot.face) * m_mesh->normal(hint.face) > 0;
@@ -204,7 +207,7 @@ private:
   typedef internal::Mesh_projection Mesh_projection;
 
   // foot points are accepted up to this share of the size of a quad away from the target
-  static constexpr double largest_move = 0.25;
+  static constexpr double largest_move = 0.5;
 
   void find_quad_sizes()
   {
@@ -218,6 +221,7 @@ private:
         sum += std::sqrt(CGAL::to_double(CGAL::squared_distance(source, target)));
       }
       m_quad_sizes.push_back(FT(sum / 4));
+      m_mean_quad_size += m_quad_sizes.back() / FT(double(m_layout.number_of_quads()));
     }
   }
 
@@ -314,6 +318,7 @@ private:
   Layout_boundary m_boundary;
   std::shared_ptr<const Mesh_projection> m_mesh;
   std::vector<FT> m_quad_sizes;
+  FT m_mean_quad_size = FT(0);
   std::vector<std::shared_ptr<Corner_displacements> > m_corner_displacements;
 };
 
