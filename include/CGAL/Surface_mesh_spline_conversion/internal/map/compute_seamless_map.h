@@ -128,6 +128,7 @@ private:
                       turned_shape(m_mesh, f, m_field.axis[f], direction(f)));
       m_references.push_back(
         make_reference(clamp_sliver(shape / face_size(m_mesh, m_field.size, f))));
+      m_references.back().area *= face_weight(m_mesh, f);
     }
     return true;
   }

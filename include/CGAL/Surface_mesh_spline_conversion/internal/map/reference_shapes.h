@@ -105,6 +105,18 @@ inline Map_system::Reference make_reference(const Eigen::Matrix2d& shape)
   return Map_system::Reference{shape.inverse(), shape.determinant() / 2};
 }
 
+// How much a face counts. The faces at the corners of the boundary are small, but what the isolines do
+// there decides the shape of the patches: with this weight the angles on both sides of the isoline
+// of a concave corner differ by a few degrees.
+inline double face_weight(const Working_mesh& mesh, int f)
+{
+  const double corner_weight = 30;
+  for(int v : mesh.triangles[f])
+    if(mesh.is_corner[v])
+      return corner_weight;
+  return 1;
+}
+
 inline double face_size(const Working_mesh& mesh, const std::vector<double>& size, int f)
 {
   return (size[mesh.triangles[f][0]] + size[mesh.triangles[f][1]] + size[mesh.triangles[f][2]]) / 3;

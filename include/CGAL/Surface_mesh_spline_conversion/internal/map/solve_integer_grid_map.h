@@ -94,6 +94,7 @@ private:
                       turned_shape(m_mesh, f, m_mesh.vector(3 * f).normalized(), 0));
       system.references().push_back(
         make_reference(clamp_sliver(shape / face_size(m_mesh, m_start.size, f))));
+      system.references().back().area *= face_weight(m_mesh, f);
     }
   }
 
