@@ -314,6 +314,10 @@ public:
   /// halves all knot intervals; a surface without T-vertices does not change.
   void refine_uniformly();
 
+  /// quadrisects the given patches, and refines what has to be refined with them, see
+  /// `refine_boundary()`.
+  void refine(const std::vector<size_type>& patches);
+
   /// halves the knot intervals of the boundary that overlap the given spans, and what has to be
   /// refined with them to have a sound surface: splits are carried two patches inwards; patches
   /// at convex corners and the two-ring of an extraordinary point are quadrisected; neighboring
@@ -385,7 +389,7 @@ private:
   typedef Surface_mesh_spline_conversion::internal::Refinement_closure<Point_3> Closure;
 
   template <typename Marker>
-  void refine(const Marker& mark);
+  void refine_marked(const Marker& mark);
   void mark_spans(const std::vector<Boundary_span>& spans, Closure& closure) const;
   bool is_chain_end(Vertex v) const;
   Bezier_element regular_element(size_type i, const Regular_element& e) const;

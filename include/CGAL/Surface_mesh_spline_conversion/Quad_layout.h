@@ -12,6 +12,7 @@
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
 #include <CGAL/assertions.h>
+#include <CGAL/use.h>
 
 #include <algorithm>
 #include <array>

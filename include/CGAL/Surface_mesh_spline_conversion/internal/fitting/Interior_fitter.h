@@ -59,6 +59,7 @@ public:
   Error_code operator()()
   {
     Error_code boundary_code = Error_code::OK;
+    int crease_refinements = 0;
     for(size_type iteration = 0; ; ++iteration)
     {
       Real_timer timer;
@@ -68,7 +69,15 @@ public:
         return code;
       record(iteration, timer.time());
       if(m_largest.error < m_options.tolerance)
-        return boundary_code;
+      {
+        if(m_rough_patches.empty() || ++crease_refinements > maximum_number_of_crease_refinements)
+          return boundary_code;
+        m_surface.refine(m_rough_patches);
+        boundary_code = refit_boundary();
+        if(boundary_code != Error_code::OK)
+          return boundary_code;
+        continue;
+      }
       if(4 * m_surface.number_of_patches() > m_options.maximum_number_of_patches)
         return fail(Error_code::TOLERANCE_NOT_REACHED, "the interior tolerance was not reached: "
                     "the error is " + format_number(m_largest.error) + " with "
@@ -87,6 +96,10 @@ private:
   // conjugate gradients gain about four digits.
   static constexpr double first_accuracy = 1e-9;
   static constexpr double next_accuracy = 1e-5;
+
+  // The lines above corners are halved that many times at most where the normals do not agree; below
+  // the size of the faces of the mesh the normals have no meaning.
+  static constexpr int maximum_number_of_crease_refinements = 4;
 
   Error_code fail(Error_code code, const std::string& message)
   {
@@ -124,7 +137,7 @@ private:
       if(!solve(system, next_accuracy))
         return fail(Error_code::SINGULAR_SYSTEM, "the control points could not be determined");
     }
-    Crease_smoother<Surface, Target, System>(m_surface, m_target, system)();
+    m_rough_patches = Crease_smoother<Surface, Target, System>(m_surface, m_target, system)();
     const Interior_error<Surface, Target> error(m_surface, m_target, samples);
     m_largest = m_options.error_metric == Error_metric::PARAMETRIC ? error.parametric()
                                                                    : error.two_sided();
@@ -184,6 +197,7 @@ private:
   Visitor& m_visitor;
   Conversion_report& m_report;
   Largest_error m_largest;
+  std::vector<size_type> m_rough_patches; // beside lines above corners where the normals differ
 };
 
 } // namespace internal

@@ -65,9 +65,12 @@ public:
     : m_surface(surface), m_target(target), m_system(system)
   {}
 
-  void operator()()
+  // returns the patches beside those lines where the normals still differ noticeably: there, the
+  // surface turns too much within two bays
+  std::vector<size_type> operator()()
   {
     const auto& layout = m_target.layout();
+    m_rough_patches.clear();
     for(size_type q = 0; q < layout.number_of_quads(); ++q)
       for(int i = 0; i < 4; ++i)
       {
@@ -78,6 +81,10 @@ public:
         if(layout.is_border(other.first, other.second + 1))
           smooth(q, i, other.first, (other.second + 1) & 3);
       }
+    std::sort(m_rough_patches.begin(), m_rough_patches.end());
+    m_rough_patches.erase(std::unique(m_rough_patches.begin(), m_rough_patches.end()),
+                          m_rough_patches.end());
+    return m_rough_patches;
   }
 
 private:
@@ -87,6 +94,9 @@ private:
   // A surface that turns by much more than a right angle within two bays has no normal that could
   // be kept; control points are not moved by more than this share of the size of a quad.
   static constexpr double largest_move = 0.1;
+
+  // the sine of the largest angle between normals that is accepted, one degree
+  static constexpr double largest_sine = 0.01745;
 
   // Ratio of the weight of the constraint to that of the fit. What remains of a jump is its share.
   static constexpr double constraint_weight = 1e4;
@@ -102,8 +112,18 @@ private:
     for(const Sample& s : samples)
       jumps.push_back(jump(s));
     const std::vector<size_type> unknowns = free_control_points(jumps);
-    if(unknowns.empty())
-      return;
+    if(!unknowns.empty())
+      make_normals_agree(first, samples, jumps, unknowns);
+    if(normal_misfit(samples) > largest_sine)
+      for(const Sample& s : samples)
+        for(const Place& p : s.places)
+          m_rough_patches.push_back(m_surface.patch_at(p.quad, p.u, p.v));
+  }
+
+  void make_normals_agree(size_type first, const std::vector<Sample>& samples,
+                          const std::vector<Functional>& jumps,
+                          const std::vector<size_type>& unknowns)
+  {
     const Positions start = positions(unknowns);
     const double limit = largest_move * CGAL::to_double(m_target.quad_size(first));
     for(int round = 0; round < maximum_number_of_rounds; ++round)
@@ -302,6 +322,7 @@ private:
   Surface& m_surface;
   const Target& m_target;
   const System& m_system;
+  std::vector<size_type> m_rough_patches;
 };
 
 } // namespace internal

@@ -66,7 +66,7 @@ bool T_NURCC_surface_3<K>::is_chain_end(Vertex v) const
 // marks faces with `mark(closure)`, refines, and computes the new control points
 template <typename K>
 template <typename Marker>
-void T_NURCC_surface_3<K>::refine(const Marker& mark)
+void T_NURCC_surface_3<K>::refine_marked(const Marker& mark)
 {
   namespace internal = Surface_mesh_spline_conversion::internal;
   const T_mesh old_mesh = m_mesh;
@@ -80,7 +80,7 @@ void T_NURCC_surface_3<K>::refine(const Marker& mark)
 template <typename K>
 void T_NURCC_surface_3<K>::refine_uniformly()
 {
-  refine([this](Closure& closure)
+  refine_marked([this](Closure& closure)
   {
     for(Face f : m_mesh.mesh().faces())
       for(int axis = 0; axis < 2; ++axis)
@@ -89,9 +89,20 @@ void T_NURCC_surface_3<K>::refine_uniformly()
 }
 
 template <typename K>
+void T_NURCC_surface_3<K>::refine(const std::vector<size_type>& patches)
+{
+  refine_marked([&, this](Closure& closure)
+  {
+    for(size_type i : patches)
+      for(int axis = 0; axis < 2; ++axis)
+        closure.mark(Face(typename Control_mesh::size_type(m_basis.patch(i).face)), axis);
+  });
+}
+
+template <typename K>
 void T_NURCC_surface_3<K>::refine_boundary(const std::vector<Boundary_span>& spans)
 {
-  refine([&, this](Closure& closure) { mark_spans(spans, closure); });
+  refine_marked([&, this](Closure& closure) { mark_spans(spans, closure); });
 }
 
 template <typename K>
