@@ -202,7 +202,11 @@ public:
 
   /// returns the inverse map.
   /// \pre an inverse map is set
-  const Inverse_map& inverse_map() const { CGAL_precondition(m_inverse_map != nullptr); return *m_inverse_map; }
+  const Inverse_map& inverse_map() const
+  {
+    CGAL_precondition(m_inverse_map != nullptr);
+    return *m_inverse_map;
+  }
 
   /// @}
   /// \name Modifiers
