@@ -4,7 +4,7 @@
 #include "shell_checks.h"
 
 #include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh_spline_conversion/IO/OBJ.h>
+#include <CGAL/Surface_mesh_spline_conversion/IO/OBJ_quad_mesh.h>
 #include <CGAL/Surface_mesh_spline_conversion/extract_NURBS_faces.h>
 
 #include <iostream>

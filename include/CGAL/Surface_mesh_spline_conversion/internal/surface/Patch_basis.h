@@ -135,7 +135,7 @@ private:
     const Regular_element& element = element_at(patch, u, v);
     const double du = element.u1 - element.u0, dv = element.v1 - element.v0;
     const double s = (u - element.u0) / du, t = (v - element.v0) / dv;
-    std::array<Row, 3> bu, bv;
+    std::array<Row, 3> bu = {}, bv = {}; // derivatives above `order` are not computed
     for(int k = 0; k <= order; ++k)
     {
       bu[k] = bernstein(s, k);
