@@ -150,6 +150,9 @@ public:
     update();
   }
 
+  // a tensor product has no finer choice
+  void refine(const std::vector<size_type>&) { refine_uniformly(); }
+
   void refine_boundary(const std::vector<Boundary_span>& spans)
   {
     for(const Boundary_span& s : spans)

@@ -222,6 +222,17 @@ void test_boundary_refinement(Layout<K> layout, double share_of_corners, unsigne
     }
     if(share_of_corners == 0) // else the lines above corners become shorter
       assert(largest_difference(before, surface) < 1e-12);
+    if(step == 1) // patches anywhere
+    {
+      std::vector<std::size_t> patches;
+      for(std::size_t i = 0; i < surface.number_of_patches(); ++i)
+        if(generator() % 16 == 0)
+          patches.push_back(i);
+      const std::size_t number_of_patches = surface.number_of_patches();
+      surface.refine(patches);
+      assert(surface.is_valid());
+      assert(surface.number_of_patches() >= number_of_patches + 3 * patches.size());
+    }
   }
   check_local_basis(surface);
   check_bezier_elements(surface);

@@ -127,7 +127,7 @@ bool test_map(const Seamless_map& seamless)
   const bool is_resolved = map.is_resolved;
   check_layout(seamless, map);
 
-  SC::internal::Quantization quantization(map.t_mesh, seamless.fractional_bits);
+  SC::internal::Quantization quantization(map.graph, seamless.fractional_bits);
   const bool is_quantized = quantization.quantize_all_positive();
   assert(is_quantized);
   (void)is_quantized;
