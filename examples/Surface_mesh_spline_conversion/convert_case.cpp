@@ -5,6 +5,7 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/T_NURCC_surface_3.h>
 
+#include <CGAL/Surface_mesh_spline_conversion/Boundary_curve_network_3.h>
 #include <CGAL/Surface_mesh_spline_conversion/IO/read_case.h>
 #include <CGAL/Surface_mesh_spline_conversion/convert_to_T_NURCC.h>
 #include <CGAL/Surface_mesh_spline_conversion/interpolate_boundary_curves.h>
@@ -87,10 +88,31 @@ Mesh_defect read_bare_mesh(const std::string& filename, Case& input,
   defect.code = SC::interpolate_boundary_curves(mesh, Curve_traits(), curves, defect.message);
   // one type of curves for all inputs: the conversion is compiled once
   for(const CGAL::SM_Halfedge_index h : mesh.halfedges())
+  {
     input.segments.push_back({Case::Curve_3(curves[h].curve), curves[h].first, curves[h].second});
+    if(!input.segments.back().is_empty()
+       && (input.curves.empty() || !(input.curves.back() == input.segments.back().curve)))
+      input.curves.push_back(input.segments.back().curve);
+  }
   input.corners.assign(mesh.number_of_vertices(), false);
   input.unit = "mm";
   return defect;
+}
+
+// The library tells the place of the largest deviation by chain and arc length; the report is to name
+// the curve of the case and its parameter.
+void name_worst_curve(const Case& input, Report::Boundary& boundary)
+{
+  const SC::Boundary_curve_network_3<Case::Triangle_mesh, Case::Curve_traits> network(
+    input.mesh, input.halfedge_curve_map(), input.traits,
+    CGAL::parameters::vertex_is_constrained_map(input.vertex_is_corner_map()));
+  if(network.error() != SC::Error_code::OK || boundary.worst_curve >= network.number_of_chains())
+    return;
+  const auto place = network.locate(boundary.worst_curve, boundary.worst_parameter);
+  for(std::size_t i = 0; i < input.curves.size(); ++i)
+    if(input.curves[i] == place.curve)
+      boundary.worst_curve = i;
+  boundary.worst_parameter = place.parameter;
 }
 
 // Converts, and writes whatever came out.
@@ -110,6 +132,7 @@ Exit_code convert_and_write(const Options& options, const Case& input,
       .maximum_number_of_patches(resolution.maximum_number_of_patches)
       .vertex_is_constrained_map(input.vertex_is_corner_map())
       .visitor(std::ref(visitor)));
+  name_worst_curve(input, report.boundary);
   report.warnings.insert(report.warnings.begin(), warnings.begin(), warnings.end());
   for(const std::string& warning : report.warnings)
     std::fprintf(stderr, "convert_case: warning: %s\n", warning.c_str());

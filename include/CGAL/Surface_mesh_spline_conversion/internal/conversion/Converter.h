@@ -36,6 +36,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -224,8 +225,7 @@ private:
     measure_deviation(shell, component.mesh, network, deviation, tolerance);
     part.boundary.max_deviation = CGAL::to_double(deviation.boundary_maximum);
     part.boundary.mean_deviation = CGAL::to_double(deviation.boundary_mean);
-    part.boundary.worst_curve = deviation.worst_chain;
-    part.boundary.worst_parameter = CGAL::to_double(deviation.worst_arc_length);
+    locate_worst(deviation.boundary_worst, part);
     part.boundary.max_corner_error = CGAL::to_double(deviation.corner_maximum);
     part.interior.max_deviation = CGAL::to_double(deviation.interior_maximum);
     part.interior.mean_deviation = CGAL::to_double(deviation.interior_mean);
@@ -235,6 +235,21 @@ private:
     part.smoothness.max_normal_angle_degrees = CGAL::to_double(deviation.normal_angle_maximum);
     part.counts.nurbs_faces = shell.number_of_faces();
     return check_deviation(deviation, part);
+  }
+
+  // Chains are numbered anew in each component; the report speaks of those of the whole mesh.
+  void locate_worst(const Point_3& p, Conversion_report& part) const
+  {
+    double smallest = std::numeric_limits<double>::infinity();
+    for(std::size_t c = 0; c < m_network.number_of_chains(); ++c)
+    {
+      const auto foot = m_network.project(c, p);
+      if(!(CGAL::to_double(foot.distance) < smallest))
+        continue;
+      smallest = CGAL::to_double(foot.distance);
+      part.boundary.worst_curve = c;
+      part.boundary.worst_parameter = CGAL::to_double(foot.arc_length);
+    }
   }
 
   // The fits have the last word on the tolerances of the surface; this is the independent one.
