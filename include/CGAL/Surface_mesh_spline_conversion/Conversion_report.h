@@ -62,7 +62,7 @@ struct Conversion_report
   {
     double max_deviation = not_measured;            ///< measured Hausdorff distance
     double mean_deviation = not_measured;           ///< mean distance over the boundary samples
-    double certified_bound = not_measured;          ///< proved upper bound of the distance
+    double certified_bound = not_measured;          ///< upper bound, with an estimated remainder
     double max_parametric_deviation = not_measured; ///< distance at equal chain parameter
     size_type worst_curve = 0;                      ///< chain of the largest deviation
     double worst_parameter = not_measured;          ///< arc length of the largest deviation

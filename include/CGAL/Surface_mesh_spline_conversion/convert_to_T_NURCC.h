@@ -99,7 +99,7 @@ mesh to T-NURCC surface conversion*, Computers & Graphics 82 (2019).
     \cgalParamDefault{`Error_metric::REPROJECTED`}
   \cgalParamNEnd
   \cgalParamNBegin{maximum_number_of_patches}
-    \cgalParamDescription{a surface is not refined any further if it has that many patches}
+    \cgalParamDescription{a surface is not refined if it would have more patches than that}
     \cgalParamType{`std::size_t`}
     \cgalParamDefault{200000}
   \cgalParamNEnd

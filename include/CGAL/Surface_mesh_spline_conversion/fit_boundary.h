@@ -27,7 +27,9 @@ namespace Surface_mesh_spline_conversion {
 \ingroup PkgSurfaceMeshSplineConversionFunctions
 
 fits the boundary of `surface` to the boundary curves of `target`, and refines the surface along the
-boundary until the distance of both at equal parameters is proved to be below a tolerance.
+boundary until a bound of the distance of both at equal parameters is below a tolerance. The bound
+is that of the Bernstein coefficients of the interpolated error, plus twice the largest remainder
+measured in between.
 
 The boundary of the surface along a chain is a cubic spline that depends on the outermost row of
 control points only, hence the chains are independent least-squares problems. Corners are
