@@ -108,7 +108,9 @@ void test_case(const std::string& name, const std::vector<double>& relative_size
     checks.check_points(4);
     checks.check_continuity(5);
     assert(checks.check_orientation(4) > 0.9);
-    const double area = checks.relative_area(12);
+    // where quads hold many triangles, the sampled cells cut their edges: an error of first order
+    const int samples_per_side = size < 0.1 ? 12 : 600;
+    const double area = checks.relative_area(samples_per_side);
     assert(area > 0.98 && area < 1.001);
     check_corners(layout, input, network);
 
