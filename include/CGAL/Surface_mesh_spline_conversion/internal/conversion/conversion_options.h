@@ -18,6 +18,7 @@
 #include <CGAL/Surface_mesh_spline_conversion/internal/named_parameters.h>
 
 #include <CGAL/boost/graph/helpers.h>
+#include <CGAL/number_utils.h>
 #include <CGAL/property_map.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -26,6 +27,7 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <type_traits>
 
 namespace CGAL {
 namespace Surface_mesh_spline_conversion {
@@ -89,7 +91,7 @@ double mean_edge_length(const TriangleMesh& tm, const VertexPointMap& vpm)
   double sum = 0;
   for(const auto h : halfedges(tm))
     sum += std::sqrt(CGAL::to_double(
-      CGAL::squared_distance(get(vpm, source(h, tm)), get(vpm, target(h, tm)))));
+      (get(vpm, target(h, tm)) - get(vpm, source(h, tm))).squared_length()));
   return sum / double(num_halfedges(tm));
 }
 
