@@ -78,12 +78,13 @@ public:
           return boundary_code;
         continue;
       }
-      if(4 * m_surface.number_of_patches() > m_options.maximum_number_of_patches)
+      if(m_surface.number_of_patches() + 3 * m_violating_patches.size()
+         > m_options.maximum_number_of_patches)
         return fail(Error_code::TOLERANCE_NOT_REACHED, "the interior tolerance was not reached: "
                     "the error is " + format_number(m_largest.error) + " with "
                     + std::to_string(m_surface.number_of_patches()) + " patches; allow more "
                     "patches, or a larger interior tolerance, or make the quads smaller");
-      m_surface.refine_uniformly();
+      m_surface.refine(m_violating_patches);
       boundary_code = refit_boundary();
       if(boundary_code != Error_code::OK && boundary_code != Error_code::TOLERANCE_NOT_REACHED)
         return boundary_code;
@@ -139,8 +140,10 @@ private:
     }
     m_rough_patches = Crease_smoother<Surface, Target, System>(m_surface, m_target, system)();
     const Interior_error<Surface, Target> error(m_surface, m_target, samples);
-    m_largest = m_options.error_metric == Error_metric::PARAMETRIC ? error.parametric()
-                                                                   : error.two_sided();
+    const bool is_parametric = m_options.error_metric == Error_metric::PARAMETRIC;
+    m_largest = is_parametric ? error.parametric() : error.two_sided();
+    m_violating_patches = is_parametric ? error.parametric_violations(m_options.tolerance)
+                                        : error.two_sided_violations(m_options.tolerance);
     return Error_code::OK;
   }
 
@@ -197,6 +200,7 @@ private:
   Visitor& m_visitor;
   Conversion_report& m_report;
   Largest_error m_largest;
+  std::vector<size_type> m_violating_patches; // those farther from the target than the tolerance
   std::vector<size_type> m_rough_patches; // beside lines above corners where the normals differ
 };
 

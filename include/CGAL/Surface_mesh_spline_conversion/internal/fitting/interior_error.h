@@ -165,13 +165,25 @@ public:
       if(!(m_bounds[order.front()] > result.error))
         break;
       const size_type i = order.front();
-      const double distance = (std::max)(distance_to_target(i), distance_to_surface(i));
+      const double distance = two_sided_distance(i);
       if(distance > result.error)
         result = Largest_error{distance, m_points[i]};
       std::pop_heap(order.begin(), end, [this](size_type a, size_type b)
         { return comes_before(b, a); });
     }
     return result;
+  }
+
+  // returns the patches with a parametric distance of at least `tolerance`
+  std::vector<size_type> parametric_violations(double tolerance) const
+  {
+    return violations(tolerance, [this](size_type i) { return m_bounds[i]; });
+  }
+
+  // returns the patches with a sample whose two-sided distance is at least `tolerance`
+  std::vector<size_type> two_sided_violations(double tolerance) const
+  {
+    return violations(tolerance, [this](size_type i) { return two_sided_distance(i); });
   }
 
 private:
@@ -188,6 +200,30 @@ private:
   bool comes_before(size_type a, size_type b) const
   {
     return m_bounds[a] != m_bounds[b] ? m_bounds[a] > m_bounds[b] : a < b;
+  }
+
+  // Only samples whose bound violates the tolerance are measured, in each patch up to the first one
+  // that violates it.
+  template <typename Distance>
+  std::vector<size_type> violations(double tolerance, const Distance& distance) const
+  {
+    std::vector<size_type> result;
+    for(size_type p = 0; p < m_samples.number_of_patches(); ++p)
+    {
+      const size_type first = p * Samples::error_samples;
+      size_type i = first;
+      while(i < first + Samples::error_samples
+            && (m_bounds[i] < tolerance || distance(i) < tolerance))
+        ++i;
+      if(i < first + Samples::error_samples)
+        result.push_back(p);
+    }
+    return result;
+  }
+
+  double two_sided_distance(size_type i) const
+  {
+    return (std::max)(distance_to_target(i), distance_to_surface(i));
   }
 
   double distance_to_target(size_type i) const
