@@ -1,0 +1,145 @@
+// One run of the map stage on one input at one size, checked and measured.
+#ifndef ROBUSTNESS_LAYOUT_RUN_H
+#define ROBUSTNESS_LAYOUT_RUN_H
+
+#include "../quality/Quad_quality.h"
+#include "Layout_checker.h"
+#include "Layout_input.h"
+#include "Limited_process.h"
+
+#include <CGAL/Surface_mesh_spline_conversion/IO/OBJ_quad_mesh.h>
+#include <CGAL/Surface_mesh_spline_conversion/compute_cross_field.h>
+#include <CGAL/Surface_mesh_spline_conversion/compute_integer_grid_map.h>
+#include <CGAL/Surface_mesh_spline_conversion/extract_quad_layout.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/IO/JSON_writer.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+struct Run_options
+{
+  bool is_relative = false;  // sizes are relative to the diameter
+  double seconds = 0;        // limit of the processor time, 0: by the numbers of triangles and quads
+  std::string layout_folder; // where layouts are written; empty: nowhere
+};
+
+inline std::string json(double value) { return SC::internal::number_to_string(value, "null"); }
+inline std::string json(const std::string& text) { return SC::internal::quoted(text); }
+inline std::string json(std::size_t value) { return std::to_string(value); }
+
+// ten seconds, and ten more for each 10000 triangles and each 10000 quads
+inline double allowed_seconds(double triangles, double quads)
+{
+  return 10 + 10 * (triangles + quads) / 10000;
+}
+
+// runs the stages from the field to the layout, and reports their times and the rung of the ladder
+inline SC::Error_code compute_layout(const Network& network, double size, Layout& layout,
+                                     Reporter& report)
+{
+  const Case::Triangle_mesh& mesh = network.triangle_mesh();
+  double begin = processor_time();
+  const auto lap = [&](const std::string& stage)
+  {
+    const double now = processor_time();
+    report(stage + "_seconds", json(now - begin));
+    begin = now;
+  };
+  SC::Cross_field field;
+  SC::Error_code code
+    = SC::compute_cross_field(mesh, network, field, CGAL::parameters::quad_size_map(size));
+  lap("field");
+  SC::Integer_grid_map map;
+  if(code == SC::Error_code::OK)
+  {
+    code = SC::compute_integer_grid_map(field, map);
+    lap("map");
+    report("rung", json(std::string(code != SC::Error_code::OK ? "none"
+                                    : map.is_resolved ? "resolved" : "composition")));
+    report("message", json(map.message));
+  }
+  if(code == SC::Error_code::OK)
+  {
+    code = SC::extract_quad_layout(map, mesh, network, layout);
+    lap("layout");
+  }
+  return code;
+}
+
+inline void report_quality(const Check::Quad_quality& quality, Reporter& report)
+{
+  report("inverted", json(quality.inverted));
+  report("min_scaled_jacobian", json(quality.min_scaled_jacobian));
+  report("mean_scaled_jacobian", json(quality.mean_scaled_jacobian));
+  report("mean_angle_deviation", json(quality.mean_angle_deviation));
+  report("max_angle_deviation", json(quality.max_angle_deviation));
+  report("min_size_ratio", json(quality.min_size_ratio));
+  report("mean_size_ratio", json(quality.mean_size_ratio));
+  report("max_size_ratio", json(quality.max_size_ratio));
+  report("relative_count", json(quality.relative_count));
+}
+
+// judges the layout, and reports all figures
+inline void check_and_measure(const Network& network, double size, const Layout& layout,
+                              const Check::Triangle_mesh& mesh, Reporter& report)
+{
+  const double begin = processor_time();
+  const Check::Quad_mesh plain = to_plain(layout);
+  const Check::Boundary_chains chains = chains_of(network);
+  Check::Layout_checker checker(plain, mesh, chains);
+  std::string defects;
+  for(const Check::Defect& defect : checker.check())
+    defects += (defects.empty() ? "" : "; ") + defect.property
+               + (defect.place.empty() ? "" : " (" + defect.place + ")");
+  report("defects", json(defects));
+  report("quads", json(plain.quads.size()));
+  report("extraordinary_points", json(checker.number_of_extraordinary_points()));
+  report("relative_area", json(checker.relative_area()));
+  const auto normal = [&](std::size_t q)
+  { return mesh.normal(plain.inverse_map(q, 0.5, 0.5).face); };
+  report_quality(Check::measure_quality(plain, mesh.area(), normal, size), report);
+  report("check_seconds", json(processor_time() - begin));
+}
+
+// The whole run; what it reports says how far it came. `make` fills the case.
+inline void run_layout(const std::function<Mesh_defect(Case&)>& make, double size,
+                       const std::string& name, const Run_options& options, Reporter& report)
+{
+  Case input;
+  const Mesh_defect defect = make(input);
+  if(defect.code != SC::Error_code::OK)
+    return report("error", json(defect.message));
+  report("triangles", json(std::size_t(input.mesh.number_of_faces())));
+  const Network network(input.mesh, input.halfedge_curve_map(), input.traits,
+                        CGAL::parameters::vertex_is_constrained_map(input.vertex_is_corner_map()));
+  if(network.error() != SC::Error_code::OK)
+    return report("error", json(network.message()));
+  const Check::Triangle_mesh mesh = to_plain(network);
+  const double h = options.is_relative ? size * network.diameter() : size;
+  const double wanted_quads = mesh.area() / (h * h);
+  report("loops", json(network.number_of_loops()));
+  report("corners", json(mesh.corners.size()));
+  report("wanted_quads", json(wanted_quads));
+
+  const double seconds = options.seconds > 0
+    ? options.seconds : allowed_seconds(double(mesh.triangles.size()), wanted_quads);
+  report("allowed_seconds", json(seconds));
+  limit_processor_time(seconds);
+  const double begin = processor_time();
+  Layout layout;
+  const SC::Error_code code = compute_layout(network, h, layout, report);
+  report("seconds", json(processor_time() - begin));
+  const double seconds_for_checks = 600;
+  limit_processor_time(seconds_for_checks);
+  if(code != SC::Error_code::OK)
+    return report("failure", json(std::string(SC::error_message(code))));
+  if(!options.layout_folder.empty())
+    CGAL::IO::write_OBJ(options.layout_folder + "/" + name + ".obj", layout);
+  check_and_measure(network, h, layout, mesh, report);
+}
+
+#endif // ROBUSTNESS_LAYOUT_RUN_H
