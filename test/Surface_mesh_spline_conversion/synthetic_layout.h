@@ -63,6 +63,25 @@ inline Surface height_field(double amplitude)
   return s;
 }
 
+// the graph of a bell over the unit square
+inline Surface hill()
+{
+  constexpr double width = 0.09;
+  // derivatives of exp(-x^2/2), x = (t - 1/2) / width
+  auto bell = [](double t, int i)
+  {
+    const double x = (t - 0.5) / width, e = std::exp(-x * x / 2);
+    return i == 0 ? e : (i == 1 ? -x * e / width : (x * x - 1) * e / (width * width));
+  };
+  Surface s;
+  s.point = [bell](double a, double b) { return Point(a, b, 0.2 * bell(a, 0) * bell(b, 0)); };
+  s.derivative = [bell](double a, double b, int i, int j)
+  {
+    return Vector(i == 1 && j == 0 ? 1 : 0, i == 0 && j == 1 ? 1 : 0, 0.2 * bell(a, i) * bell(b, j));
+  };
+  return s;
+}
+
 // the graph of z = sin(3 x + 1/2) / 5 + 3 y^2 / 10 over a domain whose lower side has a corner in
 // the middle; pure derivatives only
 inline Surface notched_graph()

@@ -17,6 +17,7 @@ public:
   typedef std::size_t size_type;
   typedef Point Point_3;
   struct Boundary_span { size_type chain; double x0, x1; };
+  struct Patch_split { size_type patch; bool u, v; };
   struct Basis_function { size_type control_point; std::array<double, 6> value; };
   struct Patch_origin { size_type quad; double u0, v0, u1, v1; };
   struct Boundary_curve
@@ -151,7 +152,8 @@ public:
   }
 
   // a tensor product has no finer choice
-  void refine(const std::vector<size_type>&) { refine_uniformly(); }
+  template <typename Marks>
+  void refine(const Marks&) { refine_uniformly(); }
 
   void refine_boundary(const std::vector<Boundary_span>& spans)
   {

@@ -7,6 +7,7 @@
 #include <CGAL/T_NURCC_surface_3.h>
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 
@@ -66,10 +67,22 @@ struct Smooth_target
     return shape.point(ab[0], ab[1]);
   }
 
+  Point point(std::size_t quad, double u, double v, std::size_t& face) const
+  {
+    face = 0;
+    return point(quad, u, v);
+  }
+
   Point foot_point(const Point&, std::size_t quad, double u, double v) const
   {
     return point(quad, u, v);
   }
+
+  bool is_boundary_quad(std::size_t) const { return false; }
+  std::size_t number_of_mesh_faces() const { return 0; }
+  std::size_t number_of_mesh_vertices() const { return 0; }
+  std::array<std::size_t, 3> mesh_face(std::size_t) const { return {{0, 0, 0}}; }
+  Point mesh_vertex(std::size_t) const { return Point(0, 0, 0); }
 };
 
 template <typename FitSurface>
@@ -78,23 +91,59 @@ void test_convergence(const Surface& shape)
   const Input input(shape, 6, 6, 1);
   const Smooth_target target{input, shape};
   FitSurface surface(input.layout());
-  SC::Conversion_report report;
-  const double tolerance = 1e-7 * target.diameter();
-  const auto np = params::interior_tolerance(tolerance).boundary_tolerance(target.diameter())
-                  .error_metric(SC::Error_metric::PARAMETRIC).maximum_number_of_patches(4000);
-  assert(SC::fit_boundary(surface, target, report, np) == SC::Error_code::OK);
-  SC::fit_interior(surface, target, report, np);
+  // one fit without refinement
+  const auto np = params::interior_tolerance(1e-9).boundary_tolerance(target.diameter())
+                  .error_metric(SC::Error_metric::PARAMETRIC).maximum_number_of_patches(1);
   double last = 0;
-  int levels = 0;
-  for(const auto& iteration : report.iterations)
-    if(iteration.stage == "fit_interior")
-    {
-      // order 4 means a factor of 16
-      assert(last == 0 || last / iteration.interior_linf > 11);
-      last = iteration.interior_linf;
-      ++levels;
-    }
-  assert(levels >= 3 && last == report.interior.max_deviation);
+  for(int level = 0; level < 3; ++level)
+  {
+    if(level > 0)
+      surface.refine_uniformly();
+    SC::Conversion_report report;
+    assert(SC::fit_boundary(surface, target, report, np) == SC::Error_code::OK);
+    assert(SC::fit_interior(surface, target, report, np)
+           == SC::Error_code::TOLERANCE_NOT_REACHED);
+    // order 4 means a factor of 16
+    const double error = report.interior.max_deviation;
+    assert(level == 0 || last / error > 11);
+    last = error;
+  }
+}
+
+// A shape with detail in one place is refined there only, and measured in another way: against the
+// shape itself between the samples.
+void test_local_refinement()
+{
+  const Surface shape = hill();
+  const Input input(shape, 8, 8, 1);
+  const Smooth_target target{input, shape};
+  T_NURCC_surface surface(input.layout());
+  SC::Conversion_report report;
+  const double tolerance = 1e-4 * target.diameter();
+  const auto np = params::interior_tolerance(tolerance).boundary_tolerance(target.diameter())
+                  .error_metric(SC::Error_metric::PARAMETRIC);
+  assert(SC::fit_boundary(surface, target, report, np) == SC::Error_code::OK);
+  assert(SC::fit_interior(surface, target, report, np) == SC::Error_code::OK);
+  assert(surface.is_valid());
+  std::size_t smallest = 0, far = 0;
+  double size = 1;
+  for(std::size_t p = 0; p < surface.number_of_patches(); ++p)
+  {
+    const auto o = surface.patch_origin(p);
+    size = (std::min)(size, o.u1 - o.u0);
+    const auto ab = input.parameters(o.quad, (o.u0 + o.u1) / 2, (o.v0 + o.v1) / 2);
+    const bool is_far = std::hypot(ab[0] - 0.5, ab[1] - 0.5) > 0.45;
+    far += is_far ? 1 : 0;
+    smallest += is_far && o.u1 - o.u0 < 0.5 ? 1 : 0;
+    for(double s : {0.21, 0.68})
+      for(double t : {0.33, 0.81})
+      {
+        const double u = o.u0 + s * (o.u1 - o.u0), v = o.v0 + t * (o.v1 - o.v0);
+        const auto q = surface.position(p, u, v) - target.point(o.quad, u, v);
+        assert(std::sqrt(q.squared_length()) < 1.1 * tolerance);
+      }
+  }
+  assert(size <= 0.25 && far > 0 && smallest == 0);
 }
 
 struct Reference_surface : Tensor_product_surface
@@ -203,6 +252,7 @@ int main()
 {
   test_convergence<Reference_surface>(height_field(0.3));
   test_convergence<T_NURCC_surface>(height_field(0.3));
+  test_local_refinement();
   test_reprojection();
   test_corner();
   test_limits();

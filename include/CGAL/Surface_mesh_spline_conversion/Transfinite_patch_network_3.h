@@ -158,6 +158,15 @@ public:
   /// returns the point at the local coordinates `(u,v)` of `quad`, in \f$ [0,1]^2 \f$.
   Point_3 point(size_type quad, const FT& u, const FT& v) const
   {
+    size_type face;
+    return point(quad, u, v, face);
+  }
+
+  /// returns the same point; `face` becomes the position in `faces(tm)` of the face it is made from, or
+  /// the number of faces on the boundary.
+  Point_3 point(size_type quad, const FT& u, const FT& v, size_type& face) const
+  {
+    face = m_mesh->number_of_faces();
     const Quad_sides* sides = m_boundary.quad_sides(quad);
     for(int i = 0; sides != nullptr && i < 4; ++i)
     {
@@ -166,6 +175,7 @@ public:
         return curve_point((*sides)[i].chain, FT(double((*sides)[i].index)) + td[0]);
     }
     const Mesh_place place = place_on_mesh(quad, u, v);
+    face = place.location.face;
     return place.location.point + place.displacement;
   }
 
@@ -196,6 +206,26 @@ public:
       return start.location.point + start.displacement;
     return Point_3(FT(foot.point.x()), FT(foot.point.y()), FT(foot.point.z()))
            + start.displacement;
+  }
+
+  /// @}
+  /// \name Mesh
+  /// @{
+
+  /// returns the number of faces of the mesh.
+  size_type number_of_mesh_faces() const { return m_mesh->number_of_faces(); }
+
+  /// returns the number of vertices of the mesh.
+  size_type number_of_mesh_vertices() const { return m_mesh->number_of_vertices(); }
+
+  /// returns the positions in `vertices(tm)` of the vertices of the face at the position `face`.
+  const std::array<size_type, 3>& mesh_face(size_type face) const { return m_mesh->corners(face); }
+
+  /// returns the point of the vertex at the position `vertex`, rounded to doubles.
+  Point_3 mesh_vertex(size_type vertex) const
+  {
+    const Mesh_projection::Point_3& p = m_mesh->vertex(vertex);
+    return Point_3(FT(p.x()), FT(p.y()), FT(p.z()));
   }
 
   /// @}

@@ -93,6 +93,11 @@ public:
   }
 
 private:
+  // The fit and the independent measurement have different samples. Where the latter finds more
+  // than the tolerance, the fit is continued with a smaller one.
+  static constexpr int maximum_number_of_interior_fits = 3;
+  static constexpr double tightening = 0.99;
+
   void describe_input(std::size_t number_of_components)
   {
     Conversion_report::Input& input = m_report.input;
@@ -155,25 +160,35 @@ private:
       return surface.error();
     }
     const auto np = parameters::boundary_tolerance(m_options.boundary_tolerance)
-                      .interior_tolerance(m_options.interior_tolerance)
                       .error_metric(m_options.error_metric)
                       .maximum_number_of_patches(m_options.maximum_number_of_patches)
                       .visitor(std::ref(m_visitor));
     Error_code result = run("fit_boundary", part, [&]()
       { return fit_boundary(surface, target, part, np); });
-    if(is_surface(result))
-    {
-      const Error_code code = run("fit_interior", part, [&]()
-        { return fit_interior(surface, target, part, np); });
-      result = (code == Error_code::OK) ? result : code;
-    }
     if(!is_surface(result))
       return result;
+    Error_code interior = Error_code::OK, measured = Error_code::OK;
+    double tolerance = m_options.interior_tolerance;
+    const std::string message = part.message;
+    for(int round = 0; round < maximum_number_of_interior_fits; ++round)
+    {
+      part.message = message;
+      interior = run("fit_interior", part, [&]()
+        { return fit_interior(surface, target, part, np.interior_tolerance(tolerance)); });
+      if(!is_surface(interior))
+        return interior;
+      measured = run("measure_deviation", part, [&]()
+        { return measure(surface, component, network, part); });
+      if(interior != Error_code::OK
+         || !(part.interior.max_deviation > m_options.interior_tolerance))
+        break;
+      tolerance *= tightening * m_options.interior_tolerance / part.interior.max_deviation;
+    }
     count(surface, part);
-    const Error_code code = run("measure_deviation", part, [&]()
-      { return measure(surface, component, network, part); });
     m_surfaces.push_back(std::move(surface));
-    return code == Error_code::OK ? result : code;
+    for(const Error_code code : {measured, interior})
+      result = (code == Error_code::OK) ? result : code;
+    return result;
   }
 
   // measures the surface as it leaves for a CAD system, caps included.

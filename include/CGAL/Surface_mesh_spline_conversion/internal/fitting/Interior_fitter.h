@@ -30,6 +30,7 @@
 #include <Eigen/Core>
 
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -78,13 +79,14 @@ public:
           return boundary_code;
         continue;
       }
-      if(m_surface.number_of_patches() + 3 * m_violating_patches.size()
-         > m_options.maximum_number_of_patches)
+      if(m_surface.number_of_patches() + 3 * m_splits.size()
+           > m_options.maximum_number_of_patches
+         || iteration + 1 == maximum_number_of_iterations)
         return fail(Error_code::TOLERANCE_NOT_REACHED, "the interior tolerance was not reached: "
                     "the error is " + format_number(m_largest.error) + " with "
                     + std::to_string(m_surface.number_of_patches()) + " patches; allow more "
                     "patches, or a larger interior tolerance, or make the quads smaller");
-      m_surface.refine(m_violating_patches);
+      m_surface.refine(m_splits);
       boundary_code = refit_boundary();
       if(boundary_code != Error_code::OK && boundary_code != Error_code::TOLERANCE_NOT_REACHED)
         return boundary_code;
@@ -97,6 +99,9 @@ private:
   // conjugate gradients gain about four digits.
   static constexpr double first_accuracy = 1e-9;
   static constexpr double next_accuracy = 1e-5;
+
+  // Refinements that go on for longer than that chase a place where the surface cannot follow.
+  static constexpr size_type maximum_number_of_iterations = 24;
 
   // The lines above corners are halved that many times at most where the normals do not agree; below
   // the size of the faces of the mesh the normals have no meaning.
@@ -124,7 +129,8 @@ private:
   {
     if(!m_visitor.go_further())
       return Error_code::INTERRUPTED;
-    Samples samples(m_surface, m_target);
+    m_samples.reset(new Samples(m_surface, m_target, m_samples.get()));
+    Samples& samples = *m_samples;
     std::vector<bool> is_fixed = boundary_control_points();
     Corner_tangents<Surface, Target>(m_surface, m_target)(is_fixed);
     System system(samples, is_fixed);
@@ -139,11 +145,10 @@ private:
         return fail(Error_code::SINGULAR_SYSTEM, "the control points could not be determined");
     }
     m_rough_patches = Crease_smoother<Surface, Target, System>(m_surface, m_target, system)();
-    const Interior_error<Surface, Target> error(m_surface, m_target, samples);
-    const bool is_parametric = m_options.error_metric == Error_metric::PARAMETRIC;
-    m_largest = is_parametric ? error.parametric() : error.two_sided();
-    m_violating_patches = is_parametric ? error.parametric_violations(m_options.tolerance)
-                                        : error.two_sided_violations(m_options.tolerance);
+    const Interior_error<Surface, Target> error(
+      m_surface, m_target, samples, m_options.error_metric == Error_metric::PARAMETRIC);
+    m_largest = error.largest();
+    m_splits = error.violations(m_options.tolerance);
     return Error_code::OK;
   }
 
@@ -199,8 +204,9 @@ private:
   Boundary_fit_options m_boundary_options;
   Visitor& m_visitor;
   Conversion_report& m_report;
+  std::unique_ptr<Samples> m_samples; // at the last refinement level
   Largest_error m_largest;
-  std::vector<size_type> m_violating_patches; // those farther from the target than the tolerance
+  std::vector<typename Surface::Patch_split> m_splits; // of patches that miss the tolerance
   std::vector<size_type> m_rough_patches; // beside lines above corners where the normals differ
 };
 

@@ -149,13 +149,14 @@ private:
   {
     const size_type n = m_samples.number_of_functions(patch);
     const Eigen::Index size = static_cast<Eigen::Index>(n);
-    m_values.resize(static_cast<Eigen::Index>(Samples::fit_samples), size);
-    for(size_type k = 0; k < Samples::fit_samples; ++k)
+    const size_type samples = m_samples.grid(patch).number_of_fit_samples();
+    m_values.resize(static_cast<Eigen::Index>(samples), size);
+    for(size_type k = 0; k < samples; ++k)
     {
       const double root = std::sqrt(m_samples.weight(patch, k));
       for(size_type i = 0; i < n; ++i)
         m_values(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(i))
-          = root * m_samples.value(patch, k, i);
+          = root * m_samples.values(patch, k)[i];
     }
     m_products.noalias() = m_values.transpose() * m_values;
     for(size_type j = 0; j < n; ++j)
@@ -194,18 +195,19 @@ private:
     for(size_type p = 0; p < m_samples.number_of_patches(); ++p)
     {
       const size_type n = m_samples.number_of_functions(p);
-      for(size_type k = 0; k < Samples::fit_samples; ++k)
+      for(size_type k = 0; k < m_samples.grid(p).number_of_fit_samples(); ++k)
       {
+        const double* values = m_samples.values(p, k);
         Eigen::RowVector3d difference = m_samples.fit_target(p, k).transpose();
         for(size_type i = 0; i < n; ++i)
-          difference -= m_samples.value(p, k, i)
+          difference -= values[i]
                         * control_points.row(static_cast<Eigen::Index>(m_samples.function(p, i)));
         difference *= m_samples.weight(p, k);
         for(size_type i = 0; i < n; ++i)
         {
           const int row = m_unknown[m_samples.function(p, i)];
           if(row != fixed)
-            result.row(row) += m_samples.value(p, k, i) * difference;
+            result.row(row) += values[i] * difference;
         }
       }
     }

@@ -115,7 +115,9 @@ private:
   Eigen::Vector3d m_point;
 };
 
-// Measures the distance between surface and target at the error samples of all patches.
+// Measures the distance between surface and target at the error samples of all patches, and from the
+// vertices of the mesh to the surface: there the mesh is farthest from a smooth surface. (In the quads
+// along the boundary, the target differs from the mesh.)
 //
 // The distance between points with equal parameters is an upper bound of the distance between a
 // point and the other side. Samples are therefore visited by descending bound, and foot points
@@ -127,45 +129,42 @@ class Interior_error
   typedef Interior_samples<Surface, Target> Samples;
   typedef typename Target::FT FT;
   typedef typename Target::Point_3 Point_3;
+  typedef typename Surface::Patch_split Patch_split;
 
 public:
-  Interior_error(const Surface& surface, const Target& target, const Samples& samples)
-    : m_surface(surface), m_target(target), m_samples(samples)
+  // `is_parametric`: only the distances between points with equal parameters count
+  Interior_error(const Surface& surface, const Target& target, const Samples& samples,
+                 bool is_parametric)
+    : m_surface(surface), m_target(target), m_samples(samples), m_is_parametric(is_parametric)
   {
-    const size_type n = samples.number_of_patches() * Samples::error_samples;
+    const size_type n = samples.number_of_error_samples();
     m_points.reserve(n);
+    m_bounds.reserve(n);
     for(size_type i = 0; i < n; ++i)
     {
       const typename Samples::Place at = place(i);
       m_points.push_back(to_eigen(surface.position(at.patch, at.u, at.v)));
       m_bounds.push_back((m_points.back() - target_point(i)).norm());
     }
+    if(!is_parametric)
+      measure_vertices();
   }
 
-  // returns the largest distance between points with equal parameters
-  Largest_error parametric() const
-  {
-    const auto it = std::max_element(m_bounds.begin(), m_bounds.end());
-    if(it == m_bounds.end())
-      return Largest_error();
-    return Largest_error{*it, m_points[static_cast<size_type>(it - m_bounds.begin())]};
-  }
-
-  // returns the larger of both one-sided distances
-  Largest_error two_sided() const
+  // returns the largest distance
+  Largest_error largest() const
   {
     std::vector<size_type> order(m_bounds.size());
     std::iota(order.begin(), order.end(), size_type(0));
     std::make_heap(order.begin(), order.end(), [this](size_type a, size_type b)
       { return comes_before(b, a); });
 
-    Largest_error result;
+    Largest_error result = m_largest_of_vertices;
     for(auto end = order.end(); end != order.begin(); --end)
     {
       if(!(m_bounds[order.front()] > result.error))
         break;
       const size_type i = order.front();
-      const double distance = two_sided_distance(i);
+      const double distance = this->distance(i);
       if(distance > result.error)
         result = Largest_error{distance, m_points[i]};
       std::pop_heap(order.begin(), end, [this](size_type a, size_type b)
@@ -174,27 +173,32 @@ public:
     return result;
   }
 
-  // returns the patches with a parametric distance of at least `tolerance`
-  std::vector<size_type> parametric_violations(double tolerance) const
+  // returns the patches with a distance of at least `tolerance`, and the directions in which they
+  // should be split
+  std::vector<Patch_split> violations(double tolerance) const
   {
-    return violations(tolerance, [this](size_type i) { return m_bounds[i]; });
-  }
-
-  // returns the patches with a sample whose two-sided distance is at least `tolerance`
-  std::vector<size_type> two_sided_violations(double tolerance) const
-  {
-    return violations(tolerance, [this](size_type i) { return two_sided_distance(i); });
+    std::vector<Patch_split> result;
+    for(size_type p = 0; p < m_samples.number_of_patches(); ++p)
+      if(is_violating(p, tolerance))
+        result.push_back(split(p));
+    return result;
   }
 
 private:
+  // Where the error varies by so much more in one direction than in the other, halving the patch in
+  // this direction is tried first.
+  static constexpr double directional_ratio = 1.1;
+
+  static constexpr size_type none = static_cast<size_type>(-1);
+
   typename Samples::Place place(size_type i) const
   {
-    return m_samples.error_place(i / Samples::error_samples, i % Samples::error_samples);
+    return m_samples.error_place(i);
   }
 
   const Eigen::Vector3d& target_point(size_type i) const
   {
-    return m_samples.target(i / Samples::error_samples, i % Samples::error_samples);
+    return m_samples.target(i);
   }
 
   bool comes_before(size_type a, size_type b) const
@@ -202,28 +206,46 @@ private:
     return m_bounds[a] != m_bounds[b] ? m_bounds[a] > m_bounds[b] : a < b;
   }
 
-  // Only samples whose bound violates the tolerance are measured, in each patch up to the first one
-  // that violates it.
-  template <typename Distance>
-  std::vector<size_type> violations(double tolerance, const Distance& distance) const
+  // Only samples whose bound violates the tolerance are measured, up to the first one that violates
+  // it.
+  bool is_violating(size_type patch, double tolerance) const
   {
-    std::vector<size_type> result;
-    for(size_type p = 0; p < m_samples.number_of_patches(); ++p)
-    {
-      const size_type first = p * Samples::error_samples;
-      size_type i = first;
-      while(i < first + Samples::error_samples
-            && (m_bounds[i] < tolerance || distance(i) < tolerance))
-        ++i;
-      if(i < first + Samples::error_samples)
-        result.push_back(p);
-    }
-    return result;
+    if(!m_is_parametric && m_vertex_errors[patch] >= tolerance)
+      return true;
+    const size_type end = m_samples.first_error_sample(patch + 1);
+    for(size_type i = m_samples.first_error_sample(patch); i < end; ++i)
+      if(m_bounds[i] >= tolerance && distance(i) >= tolerance)
+        return true;
+    return false;
   }
 
-  double two_sided_distance(size_type i) const
+  // compares the variation of the error (the integral of the squared derivative) in both directions
+  Patch_split split(size_type patch) const
   {
-    return (std::max)(distance_to_target(i), distance_to_surface(i));
+    const auto& grid = m_samples.grid(patch);
+    const size_type row = grid.u + 1;
+    double along_u = 0, along_v = 0;
+    for(size_type k = 0; k < grid.number_of_fit_samples(); ++k)
+    {
+      if(k % row != 0)
+        along_u += (difference(patch, k) - difference(patch, k - 1)).squaredNorm()
+                   * double(grid.u) / double(grid.v + 1);
+      if(k >= row)
+        along_v += (difference(patch, k) - difference(patch, k - row)).squaredNorm()
+                   * double(grid.v) / double(grid.u + 1);
+    }
+    const double ratio = directional_ratio * directional_ratio;
+    return Patch_split{patch, along_u * ratio >= along_v, along_v * ratio >= along_u};
+  }
+
+  Eigen::Vector3d difference(size_type patch, size_type k) const
+  {
+    return m_points[m_samples.error_sample(patch, k)] - m_samples.fit_target(patch, k);
+  }
+
+  double distance(size_type i) const
+  {
+    return m_is_parametric ? m_bounds[i] : (std::max)(distance_to_target(i), distance_to_surface(i));
   }
 
   double distance_to_target(size_type i) const
@@ -237,17 +259,66 @@ private:
 
   double distance_to_surface(size_type i) const
   {
+    return distance_to_surface(target_point(i), i);
+  }
+
+  // the search starts at sample `i`
+  double distance_to_surface(const Eigen::Vector3d& query, size_type i) const
+  {
     const Eigen::Vector3d foot = Surface_foot_point<Surface, typename Target::Layout,
                                                     typename Samples::Place>(
-      m_surface, m_target.layout(), target_point(i), place(i))();
-    return (foot - target_point(i)).norm();
+      m_surface, m_target.layout(), query, place(i))();
+    return (foot - query).norm();
+  }
+
+  void measure_vertices()
+  {
+    m_vertex_errors.assign(m_samples.number_of_patches(), 0);
+    const std::vector<size_type> nearest = nearest_samples();
+    for(size_type v = 0; v < nearest.size(); ++v)
+    {
+      const size_type i = nearest[v];
+      if(i == none || m_target.is_boundary_quad(place(i).quad))
+        continue;
+      const Eigen::Vector3d vertex = to_eigen(m_target.mesh_vertex(v));
+      const double error = distance_to_surface(vertex, i);
+      double& largest_of_patch = m_vertex_errors[place(i).patch];
+      largest_of_patch = (std::max)(largest_of_patch, error);
+      if(error > m_largest_of_vertices.error)
+        m_largest_of_vertices = Largest_error{error, vertex};
+    }
+  }
+
+  // returns, for each vertex of the mesh, the sample nearest to it in the faces around it
+  std::vector<size_type> nearest_samples() const
+  {
+    std::vector<size_type> result(m_target.number_of_mesh_vertices(), none);
+    std::vector<double> distances(result.size(), 0);
+    for(size_type i = 0; i < m_points.size(); ++i)
+    {
+      const size_type face = m_samples.mesh_face(i);
+      if(face == m_target.number_of_mesh_faces())
+        continue;
+      for(size_type v : m_target.mesh_face(face))
+      {
+        const double d = (to_eigen(m_target.mesh_vertex(v)) - target_point(i)).squaredNorm();
+        if(result[v] != none && d >= distances[v])
+          continue;
+        result[v] = i;
+        distances[v] = d;
+      }
+    }
+    return result;
   }
 
   const Surface& m_surface;
   const Target& m_target;
   const Samples& m_samples;
+  bool m_is_parametric;
   std::vector<Eigen::Vector3d> m_points; // of the surface
   std::vector<double> m_bounds;
+  std::vector<double> m_vertex_errors; // per patch
+  Largest_error m_largest_of_vertices;
 };
 
 } // namespace internal

@@ -12,12 +12,13 @@
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/Interior_samples.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/to_eigen.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-#include <array>
 #include <cstddef>
+#include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_spline_conversion {
@@ -34,11 +35,8 @@ class Target_reprojection
 {
   typedef std::size_t size_type;
   typedef Interior_samples<Surface, Target> Samples;
-  typedef typename Target::FT FT;
-  typedef typename Target::Point_3 Point_3;
 
-  static constexpr size_type grid = Samples::fit_grid;
-  typedef std::array<Eigen::Vector3d, Samples::fit_samples> Grid;
+  typedef std::vector<Eigen::Vector3d> Points;
 
 public:
   Target_reprojection(const Surface& surface, const Target& target, Samples& samples)
@@ -54,34 +52,37 @@ public:
 private:
   void reproject(size_type patch)
   {
-    Grid original, feet;
-    for(size_type k = 0; k < Samples::fit_samples; ++k)
+    const auto& grid = m_samples.grid(patch);
+    m_original.clear();
+    m_feet.clear();
+    for(size_type k = 0; k < grid.number_of_fit_samples(); ++k)
     {
-      const typename Samples::Place at = m_samples.fit_place(patch, k);
-      original[k] = m_samples.target(patch, Samples::error_sample(k));
-      const Point_3 p = m_surface.position(at.patch, at.u, at.v);
-      feet[k] = to_eigen(m_target.foot_point(p, at.quad, at.u, at.v));
+      const size_type i = m_samples.error_sample(patch, k);
+      const typename Samples::Place at = m_samples.error_place(i);
+      m_original.push_back(m_samples.target(i));
+      m_feet.push_back(to_eigen(m_target.foot_point(
+        m_surface.position(at.patch, at.u, at.v), at.quad, at.u, at.v)));
     }
-    unfold(original, feet);
-    for(size_type k = 0; k < Samples::fit_samples; ++k)
-      m_samples.set_fit_target(patch, k, feet[k]);
+    unfold(grid.u + 1, grid.v + 1, m_original, m_feet);
+    for(size_type k = 0; k < grid.number_of_fit_samples(); ++k)
+      m_samples.set_fit_target(patch, k, m_feet[k]);
   }
 
   // taking back a foot may fold a neighbouring cell, hence the repetition; each round that goes
   // on takes back at least one foot
-  static void unfold(const Grid& original, Grid& feet)
+  static void unfold(size_type columns, size_type rows, const Points& original, Points& feet)
   {
     bool is_changed = true;
     while(is_changed)
     {
       is_changed = false;
-      for(size_type j = 0; j + 1 < grid; ++j)
-        for(size_type i = 0; i + 1 < grid; ++i)
+      for(size_type j = 0; j + 1 < rows; ++j)
+        for(size_type i = 0; i + 1 < columns; ++i)
         {
-          const size_type k = j * grid + i;
-          if(normal(feet, k).dot(normal(original, k)) > 0)
+          const size_type k = j * columns + i;
+          if(normal(feet, k, columns).dot(normal(original, k, columns)) > 0)
             continue;
-          for(size_type corner : {k, k + 1, k + grid, k + grid + 1})
+          for(size_type corner : {k, k + 1, k + columns, k + columns + 1})
             if(feet[corner] != original[corner])
             {
               feet[corner] = original[corner];
@@ -92,14 +93,15 @@ private:
   }
 
   // twice the area vector of the cell with the first corner `k`
-  static Eigen::Vector3d normal(const Grid& points, size_type k)
+  static Eigen::Vector3d normal(const Points& points, size_type k, size_type columns)
   {
-    return (points[k + grid + 1] - points[k]).cross(points[k + grid] - points[k + 1]);
+    return (points[k + columns + 1] - points[k]).cross(points[k + columns] - points[k + 1]);
   }
 
   const Surface& m_surface;
   const Target& m_target;
   Samples& m_samples;
+  Points m_original, m_feet; // of a patch
 };
 
 } // namespace internal

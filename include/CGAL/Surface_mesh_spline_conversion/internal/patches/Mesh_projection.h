@@ -16,6 +16,7 @@
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_utils.h>
 
 #include <array>
@@ -44,14 +45,22 @@ public:
   template <typename TriangleMesh, typename VertexPointMap>
   Mesh_projection(const TriangleMesh& tm, const VertexPointMap& vpm)
   {
+    auto numbers = get(CGAL::dynamic_vertex_property_t<std::size_t>(), tm);
+    for(auto v : vertices(tm))
+    {
+      put(numbers, v, m_vertices.size());
+      m_vertices.push_back(to_double_point(get(vpm, v)));
+    }
     m_triangles.reserve(num_faces(tm));
     for(auto f : faces(tm))
     {
-      std::array<Point_3, 3> corners;
+      std::array<std::size_t, 3> corners;
       std::size_t i = 0;
       for(auto v : vertices_around_face(halfedge(f, tm), tm))
-        corners[i++] = to_double_point(get(vpm, v));
-      m_triangles.emplace_back(corners[0], corners[1], corners[2]);
+        corners[i++] = get(numbers, v);
+      m_corners.push_back(corners);
+      m_triangles.emplace_back(m_vertices[corners[0]], m_vertices[corners[1]],
+                               m_vertices[corners[2]]);
     }
     // a triangle without area has no plane to project to; its neighbours cover it
     for(std::size_t f = 0; f < m_triangles.size(); ++f)
@@ -78,6 +87,13 @@ public:
     const Kernel::Triangle_3& t = m_triangles[face];
     return CGAL::cross_product(t[1] - t[0], t[2] - t[0]);
   }
+
+  std::size_t number_of_faces() const { return m_triangles.size(); }
+
+  // the vertices have the numbers of their positions in `vertices(tm)`
+  std::size_t number_of_vertices() const { return m_vertices.size(); }
+  const Point_3& vertex(std::size_t i) const { return m_vertices[i]; }
+  const std::array<std::size_t, 3>& corners(std::size_t face) const { return m_corners[face]; }
 
   template <typename Point>
   static Point_3 to_double_point(const Point& p)
@@ -106,6 +122,8 @@ private:
     Id m_id;
   };
 
+  std::vector<Point_3> m_vertices;
+  std::vector<std::array<std::size_t, 3> > m_corners; // of the faces
   std::vector<Kernel::Triangle_3> m_triangles;
   AABB_tree<AABB_traits_3<Kernel, Primitive> > m_tree;
 };
