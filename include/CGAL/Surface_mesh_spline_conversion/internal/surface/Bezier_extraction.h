@@ -38,9 +38,10 @@ struct Regular_element
   std::size_t first, last; // its functions
 };
 
-// The Bezier elements of all regular faces: each function is spread over the faces of its support
-// by a search through the faces, each face is split at the knots inside, and each function is
-// written in Bernstein form there.
+// The Bezier elements of all patches: each function is spread over the faces of its support by a
+// search through the faces, each face is split at the knots inside, and each function is written in
+// Bernstein form there. On a face with extraordinary corners, these are only the functions of
+// vertices that are no neighbors of these corners, see `Extraordinary_face`.
 template <typename Point>
 class Bezier_extraction
 {
@@ -74,15 +75,16 @@ public:
   {
     const std::size_t faces = mesh.mesh().num_faces();
     m_functions_of_face.resize(faces);
-    m_is_regular_patch.assign(faces, false);
+    m_excluded.resize(faces);
     for(Face f : mesh.mesh().faces())
-      m_is_regular_patch[f] = mesh.is_patch(f) && !mesh.is_extraordinary_face(f);
+      if(mesh.is_patch(f))
+        m_excluded[f] = mesh.extraordinary_neighbors(f);
     for(Vertex v : mesh.mesh().vertices())
       spread(v);
     for(Face f : mesh.mesh().faces())
     {
       first_element.push_back(elements.size());
-      if(m_is_regular_patch[f])
+      if(m_mesh.is_patch(f))
         extract(f);
     }
     first_element.push_back(elements.size());
@@ -92,20 +94,7 @@ private:
   void spread(Vertex v)
   {
     if(m_mesh.is_extraordinary(v))
-    {
-      const Halfedge first = m_mesh.opposite(m_mesh.mesh().halfedge(v));
-      Halfedge h = first;
-      do
-      {
-        const Halfedge g = m_mesh.rotated(h);
-        const Ticks back = m_mesh.length(h);
-        spread_quadrant(v, h, 0, {{m_mesh.intervals_along(h), m_mesh.intervals_along(g),
-                                   {{back, back}}, {{back, back}}}});
-        h = g;
-      }
-      while(h != first);
-      return;
-    }
+      return spread_extraordinary(v);
     const auto& star = m_mesh.star(v);
     for(int d = 0; d < 4; ++d)
     {
@@ -122,6 +111,24 @@ private:
     }
   }
 
+  // Between two edges of an extraordinary vertex, the knots behind it are those along the next edge
+  // to the left and to the right: a face outside of the faces around the vertex is near to one of
+  // the two edges only, and does not depend on the knots that belong to the other one.
+  void spread_extraordinary(Vertex v)
+  {
+    const Halfedge first = m_mesh.opposite(m_mesh.mesh().halfedge(v));
+    Halfedge h = first;
+    do
+    {
+      const Halfedge g = m_mesh.rotated(h), right = m_mesh.next(m_mesh.opposite(h));
+      spread_quadrant(v, h, 0, {{m_mesh.intervals_along(h), m_mesh.intervals_along(g),
+                                 m_mesh.intervals_along(m_mesh.rotated(g)),
+                                 m_mesh.intervals_along(right)}});
+      h = g;
+    }
+    while(h != first);
+  }
+
   // spreads the function of `v` over one quadrant of its support, [0, x] times [0, y]; `h` leaves
   // `v` in the direction `turns`, and `intervals` belong to the directions 0 to 3 of the quadrant
   void spread_quadrant(Vertex v, Halfedge h, int turns,
@@ -130,8 +137,13 @@ private:
     const std::array<Ticks, 2> extent = {{intervals[0][0] + intervals[0][1],
                                           intervals[1][0] + intervals[1][1]}};
     for(const Placement& p : m_search(h, turns, extent))
-      if(m_is_regular_patch[p.face])
+      if(m_mesh.is_patch(p.face) && !is_excluded(v, p.face))
         add_function(v, p, intervals);
+  }
+
+  bool is_excluded(Vertex v, Face f) const
+  {
+    return std::binary_search(m_excluded[f].begin(), m_excluded[f].end(), v);
   }
 
   void add_function(Vertex v, const Placement& p,
@@ -217,7 +229,7 @@ private:
   const Mesh& m_mesh;
   Search m_search;
   std::vector<std::vector<Face_function> > m_functions_of_face;
-  std::vector<bool> m_is_regular_patch;
+  std::vector<std::vector<Vertex> > m_excluded; // by face
 };
 
 } // namespace internal

@@ -181,9 +181,13 @@ private:
     else if(a == 1 || b == 1)
       result = point(face, face.refined_edges.row(b == 0 ? 0 : (a == 2 ? 1 : (b == 2 ? 2 : 3))));
     else if(m_mesh.is_extraordinary(v))
+    {
       result = point(face, face.refined_corners.row(b == 0 ? (a == 0 ? 0 : 1) : (a == 0 ? 3 : 2)));
+      return true; // no other function contributes
+    }
     else
       return false;
+    result = result + blossom_of_functions(site(v, seat));
     return true;
   }
 
@@ -207,7 +211,16 @@ private:
     if(patch.extraordinary != no_index)
       return evaluate_blossom_of_quarter(s, patch, u / (patch.u1 - patch.u0),
                                          v / (patch.v1 - patch.v0), result);
-    const Regular_element& e = m_old_basis.element_at(patch, u, v);
+    result = ORIGIN + blossom_of_functions(s);
+    return true;
+  }
+
+  // the contribution of the functions of a patch, in the product form, to a new control point
+  Vector_3 blossom_of_functions(const Site& s) const
+  {
+    const Patch& patch = m_old_basis.patch(s.patch);
+    const Regular_element& e
+      = m_old_basis.element_at(patch, s.nearby[0] - patch.u0, s.nearby[1] - patch.v0);
     const Row wu = weights(s.knots[0], patch.u0 + e.u0, patch.u0 + e.u1);
     const Row wv = weights(s.knots[1], patch.v0 + e.v0, patch.v0 + e.v1);
     Vector_3 p = NULL_VECTOR;
@@ -216,8 +229,7 @@ private:
       const Element_function& f = m_old_basis.function(i);
       p = p + dot(wu, f.u) * dot(wv, f.v) * (old_point(f.control_point) - ORIGIN);
     }
-    result = ORIGIN + p;
-    return true;
+    return p;
   }
 
   // in an extraordinary patch, only the quarters at regular corners are polynomials
@@ -243,7 +255,7 @@ private:
     for(int j = 0; j < 4; ++j)
       for(int i = 0; i < 4; ++i)
         stencil += ws[i] * wt[j] * bezier.row(4 * j + i);
-    result = point(face, stencil);
+    result = point(face, stencil) + blossom_of_functions(s);
     return true;
   }
 

@@ -17,6 +17,7 @@
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/assertions.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <string>
@@ -217,6 +218,21 @@ public:
       if(m_corner[h] && is_extraordinary(target(h)))
         return true;
     return false;
+  }
+
+  // the vertices of the faces around the extraordinary corners of `f`, in ascending order: those
+  // whose functions are no products of two splines on `f`
+  std::vector<Vertex> extraordinary_neighbors(Face f) const
+  {
+    std::vector<Vertex> result;
+    for(Halfedge h : m_mesh.halfedges_around_face(halfedge(f)))
+      if(m_corner[h] && is_extraordinary(target(h)))
+        for(Halfedge g : m_mesh.halfedges_around_target(h))
+          for(Vertex v : m_mesh.vertices_around_face(g))
+            result.push_back(v);
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+    return result;
   }
 
   // position of the source of `h` in the frame of its face

@@ -100,6 +100,19 @@ inline Row bezier_blossom_weights(double x, double y, double z)
   return blossom_weights(Span_knots{{0, 0, 0, 1, 1, 1}}, x, y, z);
 }
 
+// restricts a cubic with the given Bernstein coefficients on [0,1] to [x, y]
+inline Row restricted(const Row& row, double x, double y)
+{
+  Row result{};
+  for(int i = 0; i < 4; ++i)
+  {
+    const Row w = bezier_blossom_weights(i < 3 ? x : y, i < 2 ? x : y, i < 1 ? x : y);
+    for(int k = 0; k < 4; ++k)
+      result[i] += w[k] * row[k];
+  }
+  return result;
+}
+
 inline double dot(const Row& a, const Row& b)
 {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
