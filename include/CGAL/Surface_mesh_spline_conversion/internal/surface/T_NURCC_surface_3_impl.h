@@ -142,7 +142,7 @@ void T_NURCC_surface_3<K>::mark_spans(const std::vector<Boundary_span>& spans,
       const double x1 = to_parameter(x);
       for(const Boundary_span* span : spans_of_chain)
         if(x0 < x1 && CGAL::to_double(span->x0) < x1 && x0 < CGAL::to_double(span->x1))
-          closure.mark(m_mesh.face(h), 0);
+          closure.mark_boundary(h);
       v = m_mesh.target(h);
     }
     while(v != m_chain_starts[c] && (m_chain_is_closed[c] || !is_chain_end(v)));

@@ -238,8 +238,14 @@ public:
   // position of the source of `h` in the frame of its face
   std::array<Ticks, 2> local_source(Halfedge h) const
   {
-    const Ticks width = extent(face(h), 0), height = extent(face(h), 1), x = m_offset[h];
-    switch(m_side[h])
+    return local_position(face(h), m_side[h], m_offset[h]);
+  }
+
+  // the point at the distance `x` from the start of a side
+  std::array<Ticks, 2> local_position(Face f, int side, Ticks x) const
+  {
+    const Ticks width = extent(f, 0), height = extent(f, 1);
+    switch(side)
     {
       case 0: return {{x, 0}};
       case 1: return {{width, x}};
