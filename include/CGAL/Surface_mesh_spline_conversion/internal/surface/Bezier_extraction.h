@@ -81,6 +81,8 @@ public:
         m_excluded[f] = mesh.extraordinary_neighbors(f);
     for(Vertex v : mesh.mesh().vertices())
       spread(v);
+    elements.reserve(faces);
+    functions.reserve(16 * faces);
     for(Face f : mesh.mesh().faces())
     {
       first_element.push_back(elements.size());
@@ -166,6 +168,8 @@ private:
     // a face may reach over two quadrants; but on a short closed strip of faces the support of a
     // function may cover a face twice, in different places
     auto& functions_of_face = m_functions_of_face[p.face];
+    if(functions_of_face.empty())
+      functions_of_face.reserve(16); // as many as there are if the face is not cut
     if(std::find(functions_of_face.begin(), functions_of_face.end(), function)
        == functions_of_face.end())
       functions_of_face.push_back(function);
@@ -184,9 +188,30 @@ private:
     return result;
   }
 
+  // one factor of a function on a span, which several functions of a face have in common
+  struct Span_row
+  {
+    Knots knots;
+    std::int64_t begin;
+    Row row;
+  };
+
+  static const Row& row(std::vector<Span_row>& rows, const Knots& knots, std::int64_t begin,
+                        std::int64_t end)
+  {
+    for(const Span_row& r : rows)
+      if(r.begin == begin && r.knots == knots)
+        return r.row;
+    rows.push_back(Span_row{knots, begin,
+                            bezier_row(local_knots(knots), parameter(begin), parameter(end))});
+    return rows.back().row;
+  }
+
   void extract(Face f)
   {
     const std::vector<std::int64_t> u = cuts(f, 0), v = cuts(f, 1);
+    m_rows[0].clear();
+    m_rows[1].clear();
     for(std::size_t j = 0; j + 1 < v.size(); ++j)
       for(std::size_t i = 0; i + 1 < u.size(); ++i)
       {
@@ -200,8 +225,8 @@ private:
           if(is_active(function.knots[0], u[i], u[i + 1])
              && is_active(function.knots[1], v[j], v[j + 1]))
             functions.push_back(Element_function{function.vertex,
-              bezier_row(local_knots(function.knots[0]), element.u0, element.u1),
-              bezier_row(local_knots(function.knots[1]), element.v0, element.v1)});
+              row(m_rows[0], function.knots[0], u[i], u[i + 1]),
+              row(m_rows[1], function.knots[1], v[j], v[j + 1])});
         element.last = functions.size();
         elements.push_back(element);
       }
@@ -230,6 +255,7 @@ private:
   Search m_search;
   std::vector<std::vector<Face_function> > m_functions_of_face;
   std::vector<std::vector<Vertex> > m_excluded; // by face
+  std::array<std::vector<Span_row>, 2> m_rows;   // of the face that is extracted
 };
 
 } // namespace internal
