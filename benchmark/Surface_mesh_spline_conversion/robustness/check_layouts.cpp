@@ -23,6 +23,7 @@ const char* const usage =
   "  --quad-size H,...  edge lengths of the quads\n"
   "  --relative         the sizes are relative to the diameter of the enclosing sphere\n"
   "  --layout DIR       write the layouts as DIR/<input>-<H>.obj\n"
+  "  --pictures DIR     draw the layouts as DIR/<input>-<H>.png\n"
   "  --json FILE        write all figures\n"
   "  --seconds S        limit of the processor time of a run; by default 10 s, and 10 s more for\n"
   "                     each 10000 triangles and each 10000 quads\n"
@@ -72,6 +73,8 @@ std::string parse(const std::vector<std::string>& arguments, Options& options)
         options.sizes = split(value);
       else if(argument == "--layout")
         options.run.layout_folder = value;
+      else if(argument == "--pictures")
+        options.run.picture_folder = value;
       else if(argument == "--json")
         options.json_file = value;
       else if(argument == "--seconds")
@@ -242,8 +245,9 @@ int main(int argc, char* argv[])
     std::fprintf(stderr, "%s%s%s", error.c_str(), error.empty() ? "" : "\n", usage);
     return error.empty() ? EXIT_SUCCESS : 2;
   }
-  if(!options.run.layout_folder.empty())
-    std::filesystem::create_directories(options.run.layout_folder);
+  for(const std::string& folder : {options.run.layout_folder, options.run.picture_folder})
+    if(!folder.empty())
+      std::filesystem::create_directories(folder);
   std::vector<Record> records;
   Summary summary;
   for(const Input& input : collect_inputs(options))

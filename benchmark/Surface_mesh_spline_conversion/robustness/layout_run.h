@@ -3,6 +3,7 @@
 #define ROBUSTNESS_LAYOUT_RUN_H
 
 #include "../quality/Quad_quality.h"
+#include "../quality/layout_picture.h"
 #include "Layout_checker.h"
 #include "Layout_input.h"
 #include "Limited_process.h"
@@ -24,7 +25,8 @@ struct Run_options
 {
   bool is_relative = false;  // sizes are relative to the diameter
   double seconds = 0;        // limit of the processor time, 0: by the numbers of triangles and quads
-  std::string layout_folder; // where layouts are written; empty: nowhere
+  std::string layout_folder;  // where layouts are written; empty: nowhere
+  std::string picture_folder; // where they are drawn
 };
 
 inline std::string json(double value) { return SC::internal::number_to_string(value, "null"); }
@@ -85,7 +87,8 @@ inline void report_quality(const Check::Quad_quality& quality, Reporter& report)
 
 // judges the layout, and reports all figures
 inline void check_and_measure(const Network& network, double size, const Layout& layout,
-                              const Check::Triangle_mesh& mesh, Reporter& report)
+                              const Check::Triangle_mesh& mesh, const std::string& picture,
+                              Reporter& report)
 {
   const double begin = processor_time();
   const Check::Quad_mesh plain = to_plain(layout);
@@ -103,6 +106,11 @@ inline void check_and_measure(const Network& network, double size, const Layout&
   { return mesh.normal(plain.inverse_map(q, 0.5, 0.5).face); };
   report_quality(Check::measure_quality(plain, mesh.area(), normal, size), report);
   report("check_seconds", json(processor_time() - begin));
+  if(!picture.empty())
+    draw_layout(picture, mesh, plain,
+                std::to_string(plain.quads.size()) + " quads, "
+                + std::to_string(checker.number_of_extraordinary_points())
+                + " extraordinary points");
 }
 
 // The whole run; what it reports says how far it came. `make` fills the case.
@@ -139,7 +147,9 @@ inline void run_layout(const std::function<Mesh_defect(Case&)>& make, double siz
     return report("failure", json(std::string(SC::error_message(code))));
   if(!options.layout_folder.empty())
     CGAL::IO::write_OBJ(options.layout_folder + "/" + name + ".obj", layout);
-  check_and_measure(network, h, layout, mesh, report);
+  const std::string picture
+    = options.picture_folder.empty() ? "" : options.picture_folder + "/" + name + ".png";
+  check_and_measure(network, h, layout, mesh, picture, report);
 }
 
 #endif // ROBUSTNESS_LAYOUT_RUN_H
