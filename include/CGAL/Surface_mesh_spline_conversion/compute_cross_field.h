@@ -85,8 +85,8 @@ inline bool is_proxy_wanted(const Proxy_builder& builder, internal_np::Param_not
   return builder.is_proxy_wanted();
 }
 
-// Replaces the mesh of `field` by a proxy and computes the field there. Returns `false`, with `field`
-// as before, if no proxy is wanted or none is good enough. `choice`: the named parameter.
+// Replaces the mesh of `field` by a proxy and computes the field there. Returns `false`, with
+// `field` as before, if no proxy is wanted or none is good enough. `choice`: the named parameter.
 template <typename Choice>
 bool build_cross_field_on_proxy(Cross_field& field, const std::vector<char>& is_kept,
                                 const Choice& choice)
@@ -125,8 +125,8 @@ singularities that are closer than two quads cancel each other. The field lives 
 the mesh: edges that are longer than a quad or that join two boundary vertices or two
 singularities are split.
 
-If the mesh is much finer than the quads or has many badly shaped triangles, the field is computed on
-a proxy: a mesh of well-shaped triangles of about a quarter of the quad size, with vertices on the
+If the mesh is much finer than the quads or has many badly shaped triangles, the field is computed
+on a proxy: a mesh of well-shaped triangles of about a third of the quad size, with vertices on the
 mesh and on its boundary, which the later stages use, too. The proxy is checked: projected along its
 normals, its faces cover the mesh without folds and gaps. If this fails, the mesh itself is used.
 
@@ -153,8 +153,8 @@ normals, its faces cover the mesh without folds and gaps. If this fails, the mes
   \cgalParamNBegin{use_proxy_mesh}
     \cgalParamDescription{whether to try to compute the field on a proxy of the mesh}
     \cgalParamType{Boolean}
-    \cgalParamDefault{`true` if the mesh has at least 1.5 times as many faces as the proxy would have,
-                       or if more than one percent of its triangles are badly shaped}
+    \cgalParamDefault{`true` if the mesh has at least 1.5 times as many faces as the proxy would
+                       have, or if more than one percent of its triangles are badly shaped}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_point_map}
     \cgalParamDescription{a property map associating points to the vertices of `tm`}

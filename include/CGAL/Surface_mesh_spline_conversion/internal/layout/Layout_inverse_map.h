@@ -49,7 +49,8 @@ class Parent_faces
 {
 public:
   // `corners`: those of the faces that `mesh.parent` counts
-  Parent_faces(const Working_mesh& mesh, const std::vector<std::array<Eigen::Vector3d, 3> >& corners)
+  Parent_faces(const Working_mesh& mesh,
+               const std::vector<std::array<Eigen::Vector3d, 3> >& corners)
     : m_faces(mesh.number_of_faces())
   {
     for(int f = 0; f < mesh.number_of_faces(); ++f)
@@ -119,8 +120,9 @@ public:
   {
     const Working_location at = m_quads(quad, CGAL::to_double(u), CGAL::to_double(v));
     const std::array<Eigen::Vector3d, 3>& t = m_points[at.face];
-    return make_surface_location<GeomTraits>(
-      m_parents(at), at.barycentric[0] * t[0] + at.barycentric[1] * t[1] + at.barycentric[2] * t[2]);
+    const std::array<double, 3>& b = at.barycentric;
+    return make_surface_location<GeomTraits>(m_parents(at),
+                                             b[0] * t[0] + b[1] * t[1] + b[2] * t[2]);
   }
 
 private:

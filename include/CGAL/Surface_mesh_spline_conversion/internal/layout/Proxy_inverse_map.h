@@ -35,8 +35,8 @@ inline std::vector<std::array<Eigen::Vector3d, 3> > face_corners(const Working_m
   return corners;
 }
 
-// The inverse map of a layout that has been extracted from an integer grid map of a proxy: the points
-// of the proxy are projected to the mesh that it stands for.
+// The inverse map of a layout that has been extracted from an integer grid map of a proxy: the
+// points of the proxy are projected to the mesh that it stands for.
 template <typename GeomTraits>
 class Proxy_inverse_map
   : public Quad_layout<GeomTraits>::Inverse_map
@@ -45,8 +45,8 @@ public:
   typedef typename Quad_layout<GeomTraits>::FT FT;
   typedef typename Quad_layout<GeomTraits>::Location Location;
 
-  // `mesh`: that of the map, a refinement of the proxy; `input_faces`: the corners of the input faces
-  // in the order of `faces(tm)`
+  // `mesh`: that of the map, a refinement of the proxy; `input_faces`: the corners of the input
+  // faces in the order of `faces(tm)`
   Proxy_inverse_map(Mapped_quads quads, const Working_mesh& mesh,
                     std::shared_ptr<const Proxy_mesh> proxy,
                     std::vector<std::array<Eigen::Vector3d, 3> > input_faces)

@@ -99,8 +99,8 @@ public:
       m_place.push_back(at_vertex(original, v));
   }
 
-  // The first call makes the mesh coarse. Further ones follow changes of `length`, nearly local, where
-  // it has become smaller.
+  // The first call makes the mesh coarse. Further ones follow changes of `length`, nearly local,
+  // where it has become smaller.
   void run()
   {
     for(int v = 0; v < m_mesh.number_of_vertices(); ++v)

@@ -158,9 +158,12 @@ private:
   void keep_corners_and_starts_of_chains()
   {
     for(int h = 0; h < m_original.number_of_halfedges(); ++h)
+    {
+      const int v = m_original.source(h);
       if(m_original.is_border(h)
-         && (m_original.is_corner[m_original.source(h)] || !(m_original.boundary_piece[h].first > 0)))
-        m_is_kept[m_original.source(h)] = 1;
+         && (m_original.is_corner[v] || !(m_original.boundary_piece[h].first > 0)))
+        m_is_kept[v] = 1;
+    }
   }
 
   Proxy_mesh make_proxy(const Isotropic_remesher& remesher) const
