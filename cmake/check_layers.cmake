@@ -18,7 +18,7 @@ set(rules
   patches "^Transfinite_patch_network_3\\.h$|^internal/patches/"
   surface "^T_NURCC_surface_3\\.h$|^internal/surface/"
   fitting "^fit_(boundary|interior)\\.h$|^internal/fitting/"
-  export  "^(NURBS_shell_3|Knot_vector|extract_NURBS_faces|measure_deviation)\\.h$"
+  export  "^(NURBS_shell_3|Knot_vector|extract_NURBS_faces|find_boundary_vertices|measure_deviation)\\.h$"
   export  "^internal/(caps|export)/"
   curves  "_traits_3\\.h$|^(Boundary_curve_network_3|Curve_segment|NURBS_curve_3)\\.h$"
   curves  "^(Elementary_surface_3|Curve_joint|Conversion_case|interpolate_boundary_curves)\\.h$"
