@@ -20,6 +20,7 @@
 #include <CGAL/Surface_mesh_spline_conversion/extract_quad_layout.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/named_parameters.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/run_stage.h>
+#include <CGAL/Surface_mesh_spline_conversion/measure_layout_quality.h>
 
 namespace CGAL {
 namespace Surface_mesh_spline_conversion {
@@ -38,8 +39,8 @@ the quads of this map.
 \param tm a triangle mesh with one connected component
 \param network the curves at the boundary of `tm`
 \param layout the result
-\param report receives the times of the stages, the number of quads, the fallback that was needed,
-              and a message if there is no layout
+\param report receives the times of the stages, the number of quads and their quality, the fallback
+              that was needed, and a message if there is no layout
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": those of
        `compute_cross_field()`, and
 
@@ -58,6 +59,7 @@ the quads of this map.
 \sa `compute_cross_field()`
 \sa `compute_integer_grid_map()`
 \sa `extract_quad_layout()`
+\sa `measure_layout_quality()`
 */
 template <typename TriangleMesh, typename BoundaryCurveNetwork, typename GeomTraits,
           typename NamedParameters = parameters::Default_named_parameters>
@@ -86,6 +88,8 @@ Error_code compute_quad_layout(const TriangleMesh& tm, const BoundaryCurveNetwor
     code = internal::run_stage("quad_layout", visitor, report, [&]()
       { return extract_quad_layout(map, tm, network, layout, np); });
   report.counts.layout_quads = layout.number_of_quads();
+  if(code == Error_code::OK)
+    measure_layout_quality(layout, tm, report.map, np);
   return code;
 }
 
