@@ -27,9 +27,7 @@
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/number_utils.h>
 
-#include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -58,11 +56,7 @@ Error_code compute_padded_layout(const TriangleMesh& tm, const BoundaryCurveNetw
   if(!compute_quad_sizes(mesh, vertex, parameters::get_parameter(np, internal_np::quad_size_map),
                          CGAL::to_double(network.diameter()), size))
     return Error_code::INVALID_PARAMETER;
-  Padded_triangulation quads(mesh, size);
-  const Quad_grid grid = quads.quads();
-  set_layout(grid, mesh, mesh.number_of_vertices(),
-             std::make_shared<const Layout_inverse_map<GeomTraits, Padded_triangulation> >(
-               std::move(quads), mesh, face_corners(tm, vpm)), layout);
+  set_layout(Padded_triangulation(mesh, size), mesh, face_corners(tm, vpm), layout);
   return Error_code::OK;
 }
 

@@ -118,6 +118,18 @@ void set_layout(const Quad_grid& grid, const Working_mesh& mesh, int n,
   set_points(grid, mesh, n, layout);
 }
 
+// The layout of quads that are found on a refinement of the input itself.
+template <typename Quads, typename GeomTraits>
+void set_layout(Quads quads, const Working_mesh& mesh,
+                const std::vector<std::array<Eigen::Vector3d, 3> >& input_faces,
+                Quad_layout<GeomTraits>& layout)
+{
+  const Quad_grid grid = quads.quads();
+  set_layout(grid, mesh, mesh.number_of_vertices(),
+             std::make_shared<const Layout_inverse_map<GeomTraits, Quads> >(std::move(quads), mesh,
+                                                                            input_faces), layout);
+}
+
 } // namespace internal
 
 /*!
@@ -178,17 +190,16 @@ Error_code extract_quad_layout(const Integer_grid_map& map, const TriangleMesh& 
   const auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
                                     get_const_property_map(vertex_point, tm));
   const internal::Working_mesh& mesh = map.map.mesh;
-  const internal::Quad_grid grid = quads.quads();
   const auto corners = internal::face_corners(tm, vpm);
-  if(map.proxy)
-    internal::set_layout(grid, mesh, map.proxy->mesh.number_of_vertices(),
-                         std::make_shared<const internal::Proxy_inverse_map<GeomTraits> >(
-                           std::move(quads), mesh, map.proxy, corners), layout);
-  else
-    internal::set_layout(
-      grid, mesh, mesh.number_of_vertices(),
-      std::make_shared<const internal::Layout_inverse_map<GeomTraits, internal::Mapped_quads> >(
-        std::move(quads), mesh, corners), layout);
+  if(!map.proxy)
+  {
+    internal::set_layout(std::move(quads), mesh, corners, layout);
+    return Error_code::OK;
+  }
+  const internal::Quad_grid grid = quads.quads();
+  internal::set_layout(grid, mesh, map.proxy->mesh.number_of_vertices(),
+                       std::make_shared<const internal::Proxy_inverse_map<GeomTraits> >(
+                         std::move(quads), mesh, map.proxy, corners), layout);
   return Error_code::OK;
 }
 
