@@ -28,9 +28,9 @@ namespace internal {
 
 // Refines a T-mesh by bisecting faces, such that the result is analysis-suitable and graded:
 //  - a face of a 0-channel has no T-vertex: row 1 is split together with row 0;
-//  - the splits of the boundary are carried two bays inwards;
+//  - the splits of the boundary are carried one bay inwards;
 //  - neighboring intervals of row 0 differ at most by a factor of two, a side of a face has at most
-//    two parts, and a face is at most four times as long as wide;
+//    two parts, and a face is at most eight times as long as wide;
 //  - the patch at a convex corner is a square;
 //  - around an extraordinary point, the closed two-ring has equal intervals and no T-vertex: where
 //    this does not hold, the ring is quadrisected;
@@ -45,7 +45,7 @@ class Refinement_closure
   typedef typename Mesh::Face Face;
   typedef std::pair<Face, int> Mark; // a face, and the axis along which it is cut in two
 
-  static constexpr std::int64_t maximum_aspect = 4;
+  static constexpr std::int64_t maximum_aspect = 8;
 
 public:
   // `units` holds, for every vertex, the interval of its ring if it is extraordinary, else zero
@@ -149,11 +149,9 @@ private:
           mark(f, axis);
       for(int side = 0; side < 4; ++side)
       {
-        const int parts = parts_of_side(f, side);
-        if(parts > 2)
+        // a patch on the boundary follows the intervals of row 1
+        if(parts_of_side(f, side) > (is_on_channel(f, side) ? 1 : 2))
           mark(f, side & 1);
-        if(is_on_channel(f, side))
-          mark_bays(f, side, parts);
       }
     }
   }
@@ -162,22 +160,6 @@ private:
   {
     return m_mesh.origin(m_mesh.face(m_mesh.opposite(m_mesh.first_of_side(f, side)))).kind
            == Face_origin::CHANNEL;
-  }
-
-  // the patch `f` on the boundary, and the patches behind it, follow the intervals of row 1
-  void mark_bays(Face f, int side, int parts)
-  {
-    if(parts > 1)
-      mark(f, side & 1);
-    const int opposite_side = (side + 2) & 3;
-    for(Halfedge h : m_mesh.mesh().halfedges_around_face(m_mesh.halfedge(f)))
-    {
-      const Halfedge o = m_mesh.opposite(h);
-      const Face g = m_mesh.face(o);
-      if(m_mesh.side(h) == opposite_side && m_mesh.is_patch(g)
-         && parts_of_side(g, m_mesh.side(o)) > 1)
-        mark(g, m_mesh.side(o) & 1);
-    }
   }
 
   void mark_convex_corner(Face corner)
