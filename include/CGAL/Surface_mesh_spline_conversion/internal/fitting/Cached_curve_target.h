@@ -19,8 +19,8 @@ namespace CGAL {
 namespace Surface_mesh_spline_conversion {
 namespace internal {
 
-// A curve target that remembers its values at the parameters of the spline. These are dyadic and recur
-// from one refinement level to the next (paper, section 3.2.3), hence the exact comparison of
+// A curve target that remembers its values at the parameters of the spline. These are dyadic and
+// recur from one refinement level to the next (paper, section 3.2.3), hence the exact comparison of
 // numbers.
 template <typename CurveTarget>
 class Cached_curve_target

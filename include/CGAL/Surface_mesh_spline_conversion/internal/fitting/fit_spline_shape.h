@@ -85,8 +85,8 @@ private:
     }
   }
 
-  // The unknowns are, in the order of the control points, the moves of the free ones, and in an open
-  // spline those of the second and of the second last one along the tangents.
+  // The unknowns are, in the order of the control points, the moves of the free ones, and in an
+  // open spline those of the second and of the second last one along the tangents.
   std::vector<Term> terms(const Sample& sample, const Control_polygon& polygon) const
   {
     std::vector<Term> result;
