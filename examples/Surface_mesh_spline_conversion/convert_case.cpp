@@ -26,6 +26,7 @@
 typedef CGAL::Simple_cartesian<double> K;
 typedef SC::Conversion_case<K> Case;
 typedef CGAL::T_NURCC_surface_3<K> Surface;
+typedef SC::Boundary_curve_network_3<Case::Triangle_mesh, Case::Curve_traits> Network;
 
 // Ends a run that failed before the conversion: tells why, also in the report.
 Exit_code stop(const Options& options, Report& report, SC::Error_code code,
@@ -101,11 +102,8 @@ Mesh_defect read_bare_mesh(const std::string& filename, Case& input,
 
 // The library tells the place of the largest deviation by chain and arc length; the report is to name
 // the curve of the case and its parameter.
-void name_worst_curve(const Case& input, Report::Boundary& boundary)
+void name_worst_curve(const Case& input, const Network& network, Report::Boundary& boundary)
 {
-  const SC::Boundary_curve_network_3<Case::Triangle_mesh, Case::Curve_traits> network(
-    input.mesh, input.halfedge_curve_map(), input.traits,
-    CGAL::parameters::vertex_is_constrained_map(input.vertex_is_corner_map()));
   if(network.error() != SC::Error_code::OK || boundary.worst_curve >= network.number_of_chains())
     return;
   const auto place = network.locate(boundary.worst_curve, boundary.worst_parameter);
@@ -132,7 +130,9 @@ Exit_code convert_and_write(const Options& options, const Case& input,
       .maximum_number_of_patches(resolution.maximum_number_of_patches)
       .vertex_is_constrained_map(input.vertex_is_corner_map())
       .visitor(std::ref(visitor)));
-  name_worst_curve(input, report.boundary);
+  const Network network(input.mesh, input.halfedge_curve_map(), input.traits,
+                        CGAL::parameters::vertex_is_constrained_map(input.vertex_is_corner_map()));
+  name_worst_curve(input, network, report.boundary);
   report.warnings.insert(report.warnings.begin(), warnings.begin(), warnings.end());
   for(const std::string& warning : report.warnings)
     std::fprintf(stderr, "convert_case: warning: %s\n", warning.c_str());
@@ -146,7 +146,7 @@ Exit_code convert_and_write(const Options& options, const Case& input,
   information.product = std::filesystem::path(options.input).stem().string();
   information.unit = input.unit;
   information.uncertainty = resolution.xi;
-  const bool is_written = write_results(options, input.mesh, surfaces, information, report);
+  const bool is_written = write_results(options, network, surfaces, information, report);
   return is_written ? exit_code(code) : FAILURE;
 }
 

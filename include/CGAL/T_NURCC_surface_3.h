@@ -110,6 +110,13 @@ public:
     FT x0, x1;
   };
 
+  /// A patch to be split: `u` halves its interval in `u`, `v` that in `v`, both quadrisect it.
+  struct Patch_split
+  {
+    size_type patch;
+    bool u, v;
+  };
+
   /*!
   A rectangle on which the surface is bicubic, with its Bezier points: number `4*j+i` is point `i`
   along `u` and `j` along `v`. An element with `is_extraordinary` touches an extraordinary point;
@@ -317,6 +324,10 @@ public:
   /// quadrisects the given patches, and refines what has to be refined with them, see
   /// `refine_boundary()`.
   void refine(const std::vector<size_type>& patches);
+
+  /// splits the given patches in one or both directions, and refines what has to be refined with
+  /// them, see `refine_boundary()`. A patch may occur more than once.
+  void refine(const std::vector<Patch_split>& splits);
 
   /// halves the knot intervals of the boundary that overlap the given spans, and what has to be
   /// refined with them to have a sound surface: splits are carried two patches inwards; patches

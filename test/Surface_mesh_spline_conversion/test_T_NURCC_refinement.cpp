@@ -275,6 +275,24 @@ void test_local_refinement()
   assert(surface.number_of_patches() < layout.number_of_quads() + 100);
 }
 
+// bisections of single patches in the middle of a grid stay single
+template <typename K>
+void test_directional_refinement()
+{
+  typedef typename Surface<K>::Patch_split Patch_split;
+  const Surface<K> surface(grid_layout<K>(8, 8));
+  for(const bool in_u : {true, false})
+  {
+    Surface<K> refined = surface;
+    refined.refine(std::vector<Patch_split>{{refined.patch_at(27, 0.5, 0.5), in_u, !in_u}});
+    assert(refined.is_valid());
+    assert(refined.number_of_patches() == surface.number_of_patches() + 1);
+    const auto r = refined.patch_origin(refined.patch_at(27, 0.25, 0.25));
+    assert(r.u1 == (in_u ? 0.5 : 1) && r.v1 == (in_u ? 1 : 0.5));
+    assert(largest_difference(surface, refined) < 1e-13);
+  }
+}
+
 // layouts that are not supported are reported
 void test_errors()
 {
@@ -294,6 +312,7 @@ int main()
   test_kernel<CGAL::Simple_cartesian<double> >(3);
   test_kernel<CGAL::Exact_predicates_inexact_constructions_kernel>(1);
   test_local_refinement<CGAL::Simple_cartesian<double> >();
+  test_directional_refinement<CGAL::Simple_cartesian<double> >();
   test_errors();
   return EXIT_SUCCESS;
 }

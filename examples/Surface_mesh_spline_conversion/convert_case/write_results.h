@@ -10,12 +10,14 @@
 #include <CGAL/Surface_mesh_spline_conversion/IO/surface_pictures.h>
 #include <CGAL/Surface_mesh_spline_conversion/NURBS_shell_3.h>
 #include <CGAL/Surface_mesh_spline_conversion/extract_NURBS_faces.h>
+#include <CGAL/Surface_mesh_spline_conversion/find_boundary_vertices.h>
 
 #include <CGAL/Real_timer.h>
 #include <CGAL/T_NURCC_surface_3.h>
 
 #include "Options.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdio>
 #include <filesystem>
@@ -116,19 +118,25 @@ void append(const Shell& part, Shell& whole)
 }
 
 // Writes the faces of all surfaces to the STEP file and the VTK file.
-template <typename K>
-bool write_faces(const Options& options, const std::vector<CGAL::T_NURCC_surface_3<K> >& surfaces,
+template <typename Network, typename K>
+bool write_faces(const Options& options, const Network& network,
+                 const std::vector<CGAL::T_NURCC_surface_3<K> >& surfaces,
                  const SC::STEP_information& information, Report& report)
 {
   CGAL::Real_timer timer;
   timer.start();
   SC::NURBS_shell_3<K> shell;
+  // a surface may have missed the tolerance
+  const double closeness
+    = (std::max)(report.boundary_tolerance, 2 * report.boundary.max_deviation);
   for(const CGAL::T_NURCC_surface_3<K>& surface : surfaces)
   {
     SC::NURBS_shell_3<K> part;
     SC::extract_NURBS_faces(surface, part,
                             CGAL::parameters::interior_tolerance(report.interior_tolerance)
-                              .do_merge_patches(options.do_merge));
+                              .do_merge_patches(options.do_merge)
+                              .boundary_vertices(SC::find_boundary_vertices(surface, network,
+                                                                            closeness)));
     append(part, shell);
   }
   report.counts.nurbs_faces = shell.number_of_faces();
@@ -142,17 +150,18 @@ bool write_faces(const Options& options, const std::vector<CGAL::T_NURCC_surface
 }
 
 // Writes all files; returns `true` if every one is written.
-template <typename Mesh, typename K>
-bool write_results(const Options& options, const Mesh& mesh,
+template <typename Network, typename K>
+bool write_results(const Options& options, const Network& network,
                    const std::vector<CGAL::T_NURCC_surface_3<K> >& surfaces,
                    const SC::STEP_information& information, Report& report)
 {
   bool is_written = true;
   if(!surfaces.empty())
   {
-    is_written = write_faces(options, surfaces, information, report);
+    is_written = write_faces(options, network, surfaces, information, report);
     if(!options.pictures.empty())
-      is_written = check(CGAL::IO::write_pictures(options.pictures, surfaces, mesh, report),
+      is_written = check(CGAL::IO::write_pictures(options.pictures, surfaces, network.triangle_mesh(),
+                                                report),
                          options.pictures) && is_written;
   }
   is_written = write_history(options, report) && is_written;

@@ -22,6 +22,7 @@
 #include <CGAL/Surface_mesh_spline_conversion/internal/map/make_working_mesh.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/named_parameters.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/run_stage.h>
+#include <CGAL/Surface_mesh_spline_conversion/measure_layout_quality.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/number_utils.h>
@@ -116,8 +117,8 @@ extraordinary points; its corners are regular vertices even where the boundary i
 \param tm a triangle mesh with one connected component
 \param network the curves at the boundary of `tm`
 \param layout the result
-\param report receives the times of the stages, the number of quads, the fallback that was needed,
-              and a message if there is no layout
+\param report receives the times of the stages, the number of quads and their quality, the fallback
+              that was needed, and a message if there is no layout
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": those of
        `compute_cross_field()`, and
 
@@ -137,6 +138,7 @@ extraordinary points; its corners are regular vertices even where the boundary i
 \sa `compute_cross_field()`
 \sa `compute_integer_grid_map()`
 \sa `extract_quad_layout()`
+\sa `measure_layout_quality()`
 */
 template <typename TriangleMesh, typename BoundaryCurveNetwork, typename GeomTraits,
           typename NamedParameters = parameters::Default_named_parameters>
@@ -162,6 +164,8 @@ Error_code compute_quad_layout(const TriangleMesh& tm, const BoundaryCurveNetwor
       report.map.fallback = "divided triangles: " + reason;
   }
   report.counts.layout_quads = layout.number_of_quads();
+  if(code == Error_code::OK)
+    measure_layout_quality(layout, tm, report.map, np);
   return code;
 }
 

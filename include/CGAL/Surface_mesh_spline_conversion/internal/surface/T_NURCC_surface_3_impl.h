@@ -91,11 +91,25 @@ void T_NURCC_surface_3<K>::refine_uniformly()
 template <typename K>
 void T_NURCC_surface_3<K>::refine(const std::vector<size_type>& patches)
 {
+  std::vector<Patch_split> splits;
+  for(size_type i : patches)
+    splits.push_back(Patch_split{i, true, true});
+  refine(splits);
+}
+
+template <typename K>
+void T_NURCC_surface_3<K>::refine(const std::vector<Patch_split>& splits)
+{
   refine_marked([&, this](Closure& closure)
   {
-    for(size_type i : patches)
-      for(int axis = 0; axis < 2; ++axis)
-        closure.mark(Face(typename Control_mesh::size_type(m_basis.patch(i).face)), axis);
+    for(const Patch_split& split : splits)
+    {
+      const Face f(typename Control_mesh::size_type(m_basis.patch(split.patch).face));
+      if(split.u)
+        closure.mark(f, 0);
+      if(split.v)
+        closure.mark(f, 1);
+    }
   });
 }
 
