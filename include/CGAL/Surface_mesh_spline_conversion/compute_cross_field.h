@@ -112,6 +112,31 @@ bool compute_quad_sizes(const Working_mesh& mesh, const std::vector<VertexDescri
   return true;
 }
 
+// See below; for the spacing, `Cross_field`.
+template <typename TriangleMesh, typename BoundaryCurveNetwork, typename NamedParameters>
+Error_code compute_cross_field(const TriangleMesh& tm, const BoundaryCurveNetwork& network,
+                               double spacing, Cross_field& field, const NamedParameters& np)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+
+  if(network.error() != Error_code::OK)
+    return network.error();
+  const auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
+                                    get_const_property_map(vertex_point, tm));
+  field = Cross_field();
+  field.spacing = spacing;
+  std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> vertex;
+  const Error_code code = make_working_mesh(tm, network, vpm, field.mesh, vertex);
+  if(code != Error_code::OK)
+    return code;
+
+  if(!compute_quad_sizes(field.mesh, vertex, get_parameter(np, internal_np::quad_size_map),
+                         CGAL::to_double(network.diameter()), field.size))
+    return Error_code::INVALID_PARAMETER;
+  return build_cross_field(field);
+}
+
 } // namespace internal
 
 /*!
@@ -168,23 +193,7 @@ Error_code compute_cross_field(const TriangleMesh& tm, const BoundaryCurveNetwor
                                Cross_field& field,
                                const NamedParameters& np = parameters::default_values())
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-
-  if(network.error() != Error_code::OK)
-    return network.error();
-  const auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
-                                    get_const_property_map(vertex_point, tm));
-  field = Cross_field();
-  std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> vertex;
-  const Error_code code = internal::make_working_mesh(tm, network, vpm, field.mesh, vertex);
-  if(code != Error_code::OK)
-    return code;
-
-  if(!internal::compute_quad_sizes(field.mesh, vertex, get_parameter(np, internal_np::quad_size_map),
-                                   CGAL::to_double(network.diameter()), field.size))
-    return Error_code::INVALID_PARAMETER;
-  return internal::build_cross_field(field);
+  return internal::compute_cross_field(tm, network, 1, field, np);
 }
 
 } // namespace Surface_mesh_spline_conversion
