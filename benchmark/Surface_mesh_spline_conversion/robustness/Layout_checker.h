@@ -43,35 +43,37 @@ private:
   std::vector<std::size_t> m_parent;
 };
 
-// the topology of a triangle mesh whose vertices are all used
-inline Topology topology_of(const Triangle_mesh& mesh)
+// the topology of a mesh of polygons whose vertices are all used and whose edges have at most two
+// faces
+template <typename Polygons>
+Topology topology_of(std::size_t number_of_points, const Polygons& polygons)
 {
-  Disjoint_sets sets(mesh.points.size());
-  std::map<std::pair<std::size_t, std::size_t>, bool> halfedges; // (source, target)
-  for(const auto& t : mesh.triangles)
-    for(std::size_t i = 0; i < 3; ++i)
-    {
-      halfedges[{t[i], t[(i + 1) % 3]}] = true;
-      sets.unite(t[i], t[(i + 1) % 3]);
-    }
+  Disjoint_sets sets(number_of_points);
+  std::set<std::pair<std::size_t, std::size_t> > halfedges; // (source, target)
   std::map<std::size_t, long> twice_chi, loops;
-  for(std::size_t v = 0; v < mesh.points.size(); ++v)
+  for(const auto& polygon : polygons)
+    for(std::size_t i = 0; i < polygon.size(); ++i)
+    {
+      const std::size_t source = polygon[i], target = polygon[(i + 1) % polygon.size()];
+      halfedges.emplace(source, target);
+      sets.unite(source, target);
+    }
+  for(std::size_t v = 0; v < number_of_points; ++v)
     twice_chi[sets.find(v)] += 2;
-  for(const auto& t : mesh.triangles)
-    twice_chi[sets.find(t[0])] += 2;
+  for(const auto& polygon : polygons)
+    twice_chi[sets.find(polygon[0])] += 2;
   std::map<std::size_t, std::size_t> next;
   for(const auto& h : halfedges)
   {
-    const bool is_border = !halfedges.count({h.first.second, h.first.first});
-    twice_chi[sets.find(h.first.first)] -= is_border ? 2 : 1;
+    const bool is_border = !halfedges.count({h.second, h.first});
+    twice_chi[sets.find(h.first)] -= is_border ? 2 : 1;
     if(is_border)
-      next[h.first.first] = h.first.second;
+      next[h.first] = h.second;
   }
   while(!next.empty())
   {
-    const std::size_t start = next.begin()->first;
-    ++loops[sets.find(start)];
-    for(auto it = next.find(start); it != next.end();)
+    ++loops[sets.find(next.begin()->first)];
+    for(auto it = next.begin(); it != next.end();)
     {
       const std::size_t v = it->second;
       next.erase(it);
@@ -83,6 +85,11 @@ inline Topology topology_of(const Triangle_mesh& mesh)
     result.emplace_back(component.second / 2, loops[component.first]);
   std::sort(result.begin(), result.end());
   return result;
+}
+
+inline Topology topology_of(const Triangle_mesh& mesh)
+{
+  return topology_of(mesh.points.size(), mesh.triangles);
 }
 
 // A defect of a layout: a short name of the property that is violated, and where.

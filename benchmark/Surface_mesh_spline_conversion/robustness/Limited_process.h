@@ -60,11 +60,11 @@ private:
   std::vector<std::pair<std::string, std::string> > m_members;
 };
 
-// processor time of this process, in seconds
-inline double processor_time()
+// processor time of this process, or of those that it has waited for, in seconds
+inline double processor_time(int who = RUSAGE_SELF)
 {
   rusage usage;
-  getrusage(RUSAGE_SELF, &usage);
+  getrusage(who, &usage);
   const auto seconds = [](const timeval& t) { return double(t.tv_sec) + 1e-6 * double(t.tv_usec); };
   return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }

@@ -50,6 +50,14 @@ inline double distance_to_segment(const Point& p, const Point& a, const Point& b
   return distance(p, a + t * d);
 }
 
+inline Point sum(const Point& p, const Point& q) { return p + q; }
+
+inline Point unit(const Point& p)
+{
+  const double length = norm(p);
+  return length > 0 ? (1 / length) * p : p;
+}
+
 // the point at `t` in [0,1] between two points
 inline Point interpolate(const Point& a, const Point& b, double t) { return a + t * (b - a); }
 

@@ -9,7 +9,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <functional>
 #include <sstream>
 #include <string>
@@ -23,6 +22,7 @@ const char* const usage =
   "  --quad-size H,...  edge lengths of the quads\n"
   "  --relative         the sizes are relative to the diameter of the enclosing sphere\n"
   "  --layout DIR       write the layouts as DIR/<input>-<H>.obj\n"
+  "  --pictures DIR     draw the layouts as DIR/<input>-<H>.png\n"
   "  --json FILE        write all figures\n"
   "  --seconds S        limit of the processor time of a run; by default 10 s, and 10 s more for\n"
   "                     each 10000 triangles and each 10000 quads\n"
@@ -72,6 +72,8 @@ std::string parse(const std::vector<std::string>& arguments, Options& options)
         options.sizes = split(value);
       else if(argument == "--layout")
         options.run.layout_folder = value;
+      else if(argument == "--pictures")
+        options.run.picture_folder = value;
       else if(argument == "--json")
         options.json_file = value;
       else if(argument == "--seconds")
@@ -137,24 +139,40 @@ std::string reason(const Record& record)
   return record.text("outcome") == "done" ? "" : record.text("outcome");
 }
 
+// the times of the stages with short names, in parentheses
+std::string stage_times(const Record& record)
+{
+  std::string result;
+  const std::string stages = record.get("stages"); // "name": seconds, ...
+  for(std::size_t begin, end = 0; (begin = stages.find('"', end)) != std::string::npos;)
+  {
+    end = stages.find('"', begin + 1);
+    char seconds[32];
+    std::snprintf(seconds, sizeof seconds, " %.2f",
+                  std::strtod(stages.c_str() + end + 2, nullptr));
+    result += (result.empty() ? "" : ", ") + stages.substr(begin + 1, end - begin - 1) + seconds;
+    ++end;
+  }
+  return "(" + result + ")";
+}
+
 void print_line(const std::string& name, const Record& record)
 {
   const char* const words[] = {"valid", "INVALID", "refused"};
-  std::printf("%-28s %-7s %-11s", name.c_str(), words[verdict(record)],
-              record.text("rung").c_str());
+  std::printf("%-28s %-7s", name.c_str(), words[verdict(record)]);
   if(!record.get("seconds").empty())
-    std::printf(" %6.2f s (field %.2f, map %.2f, layout %.2f)", record.number("seconds"),
-                record.number("field_seconds"), record.number("map_seconds"),
-                record.number("layout_seconds"));
+    std::printf(" %6.2f s %s", record.number("seconds"), stage_times(record).c_str());
   if(!record.get("quads").empty())
     std::printf(" %6.0f quads (x %.2f), %3.0f EP, sj %.2f/%.2f, angle %.0f/%.0f, "
-                "size %.2f/%.2f/%.2f, %.0f inverted",
+                "size %.2f/%.2f/%.2f, stretch %.2f/%.1f, %.0f inverted, rung: %s",
                 record.number("quads"), record.number("relative_count"),
                 record.number("extraordinary_points"), record.number("min_scaled_jacobian"),
                 record.number("mean_scaled_jacobian"), record.number("mean_angle_deviation"),
                 record.number("max_angle_deviation"), record.number("min_size_ratio"),
                 record.number("mean_size_ratio"), record.number("max_size_ratio"),
-                record.number("inverted"));
+                record.number("mean_singular_value_ratio"),
+                record.number("max_singular_value_ratio"), record.number("inverted"),
+                record.text("rung").c_str());
   if(!reason(record).empty())
     std::printf(" %s", reason(record).c_str());
   std::printf("\n");
@@ -172,7 +190,7 @@ struct Summary
     ++runs;
     valid += verdict(record) == VALID ? 1 : 0;
     refused += verdict(record) == REFUSED ? 1 : 0;
-    fallback += record.text("rung") == "last_resort" ? 1 : 0;
+    fallback += record.text("rung").find("last resort") != std::string::npos ? 1 : 0;
     timeouts += record.text("outcome") == "timeout" ? 1 : 0;
     const double ratio = record.number("seconds") / record.number("allowed_seconds");
     if(ratio > worst_ratio)
@@ -195,21 +213,6 @@ struct Summary
                 100 * worst_ratio, worst_jacobian, ugliest.c_str());
   }
 };
-
-void write_json(const std::string& filename, const std::vector<Record>& records)
-{
-  std::ofstream out(filename);
-  out << "[\n";
-  for(std::size_t i = 0; i < records.size(); ++i)
-  {
-    out << "  {";
-    for(const auto& member : records[i].members())
-      out << (&member == &records[i].members().front() ? "" : ", ") << json(member.first) << ": "
-          << member.second;
-    out << (i + 1 < records.size() ? "},\n" : "}\n");
-  }
-  out << "]\n";
-}
 
 Record run(const Input& input, const std::string& size, const Options& options)
 {
@@ -242,8 +245,9 @@ int main(int argc, char* argv[])
     std::fprintf(stderr, "%s%s%s", error.c_str(), error.empty() ? "" : "\n", usage);
     return error.empty() ? EXIT_SUCCESS : 2;
   }
-  if(!options.run.layout_folder.empty())
-    std::filesystem::create_directories(options.run.layout_folder);
+  for(const std::string& folder : {options.run.layout_folder, options.run.picture_folder})
+    if(!folder.empty())
+      std::filesystem::create_directories(folder);
   std::vector<Record> records;
   Summary summary;
   for(const Input& input : collect_inputs(options))

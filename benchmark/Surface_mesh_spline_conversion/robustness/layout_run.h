@@ -3,33 +3,50 @@
 #define ROBUSTNESS_LAYOUT_RUN_H
 
 #include "../quality/Quad_quality.h"
+#include "../quality/layout_picture.h"
 #include "Layout_checker.h"
 #include "Layout_input.h"
 #include "Limited_process.h"
 
 #include <CGAL/Surface_mesh_spline_conversion/IO/OBJ_quad_mesh.h>
-#include <CGAL/Surface_mesh_spline_conversion/compute_cross_field.h>
-#include <CGAL/Surface_mesh_spline_conversion/compute_integer_grid_map.h>
-#include <CGAL/Surface_mesh_spline_conversion/extract_quad_layout.h>
+#include <CGAL/Surface_mesh_spline_conversion/compute_quad_layout.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/IO/JSON_writer.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <fstream>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 struct Run_options
 {
   bool is_relative = false;  // sizes are relative to the diameter
   double seconds = 0;        // limit of the processor time, 0: by the numbers of triangles and quads
-  std::string layout_folder; // where layouts are written; empty: nowhere
+  std::string layout_folder;  // where layouts are written; empty: nowhere
+  std::string picture_folder; // where they are drawn
 };
 
 inline std::string json(double value) { return SC::internal::number_to_string(value, "null"); }
 inline std::string json(const std::string& text) { return SC::internal::quoted(text); }
 inline std::string json(std::size_t value) { return std::to_string(value); }
+
+inline void write_json(const std::string& filename, const std::vector<Record>& records)
+{
+  std::ofstream out(filename);
+  out << "[\n";
+  for(std::size_t i = 0; i < records.size(); ++i)
+  {
+    out << "  {";
+    for(const auto& member : records[i].members())
+      out << (&member == &records[i].members().front() ? "" : ", ") << json(member.first) << ": "
+          << member.second;
+    out << (i + 1 < records.size() ? "},\n" : "}\n");
+  }
+  out << "]\n";
+}
 
 // ten seconds, and ten more for each 10000 triangles and each 10000 quads
 inline double allowed_seconds(double triangles, double quads)
@@ -37,40 +54,62 @@ inline double allowed_seconds(double triangles, double quads)
   return 10 + 10 * (triangles + quads) / 10000;
 }
 
-// runs the stages from the field to the layout, and reports their times and the rung of the ladder
+// Adds up the processor time of the stages.
+class Stage_clock : public SC::Default_visitor
+{
+public:
+  void on_stage_begin(const std::string&) { m_begin = processor_time(); }
+
+  void on_stage_end(const std::string& name, double)
+  {
+    for(auto& stage : m_stages)
+      if(stage.first == name)
+      {
+        stage.second += processor_time() - m_begin;
+        return;
+      }
+    m_stages.emplace_back(name, processor_time() - m_begin);
+  }
+
+  // a JSON object
+  std::string seconds() const
+  {
+    std::string result;
+    for(const auto& stage : m_stages)
+      result += (result.empty() ? "{" : ", ") + json(stage.first) + ": " + json(stage.second);
+    return result.empty() ? "{}" : result + "}";
+  }
+
+private:
+  double m_begin = 0;
+  std::vector<std::pair<std::string, double> > m_stages; // in the order in which they began
+};
+
+// Runs the stages from the field to the layout, and reports their times, the rung of the ladder, and
+// what the library says of the map.
 inline SC::Error_code compute_layout(const Network& network, double size, Layout& layout,
                                      Reporter& report)
 {
-  const Case::Triangle_mesh& mesh = network.triangle_mesh();
-  double begin = processor_time();
-  const auto lap = [&](const std::string& stage)
-  {
-    const double now = processor_time();
-    report(stage + "_seconds", json(now - begin));
-    begin = now;
-  };
-  SC::Cross_field field;
-  SC::Error_code code
-    = SC::compute_cross_field(mesh, network, field, CGAL::parameters::quad_size_map(size));
-  lap("field");
-  SC::Integer_grid_map map;
-  if(code == SC::Error_code::OK)
-  {
-    code = SC::compute_integer_grid_map(field, map);
-    lap("map");
-    report("rung", json(std::string(code != SC::Error_code::OK ? "none"
-                                    : map.is_resolved ? "resolved" : "composition")));
-    report("message", json(map.message));
-  }
-  if(code == SC::Error_code::OK)
-  {
-    code = SC::extract_quad_layout(map, mesh, network, layout);
-    lap("layout");
-  }
+  Stage_clock clock;
+  SC::Conversion_report figures;
+  const SC::Error_code code
+    = SC::compute_quad_layout(network.triangle_mesh(), network, layout, figures,
+                              CGAL::parameters::quad_size_map(size).visitor(std::ref(clock)));
+  report("stages", clock.seconds());
+  report("rung", json(code == SC::Error_code::OK ? figures.map.fallback : std::string("no layout")));
+  report("message", json(figures.message));
+  report("mean_singular_value_ratio", json(figures.map.mean_singular_value_ratio));
+  report("max_singular_value_ratio", json(figures.map.max_singular_value_ratio));
+  report("mean_area_ratio", json(figures.map.mean_area_ratio));
+  report("max_area_ratio", json(figures.map.max_area_ratio));
+  report("mean_kink_degrees", json(figures.map.mean_kink_degrees));
+  report("max_kink_degrees", json(figures.map.max_kink_degrees));
   return code;
 }
 
-inline void report_quality(const Check::Quad_quality& quality, Reporter& report)
+// `report(name, json)` takes the figures
+template <typename Report>
+void report_quality(const Check::Quad_quality& quality, Report&& report)
 {
   report("inverted", json(quality.inverted));
   report("min_scaled_jacobian", json(quality.min_scaled_jacobian));
@@ -85,7 +124,8 @@ inline void report_quality(const Check::Quad_quality& quality, Reporter& report)
 
 // judges the layout, and reports all figures
 inline void check_and_measure(const Network& network, double size, const Layout& layout,
-                              const Check::Triangle_mesh& mesh, Reporter& report)
+                              const Check::Triangle_mesh& mesh, const std::string& picture,
+                              Reporter& report)
 {
   const double begin = processor_time();
   const Check::Quad_mesh plain = to_plain(layout);
@@ -103,6 +143,11 @@ inline void check_and_measure(const Network& network, double size, const Layout&
   { return mesh.normal(plain.inverse_map(q, 0.5, 0.5).face); };
   report_quality(Check::measure_quality(plain, mesh.area(), normal, size), report);
   report("check_seconds", json(processor_time() - begin));
+  if(!picture.empty())
+    draw_layout(picture, mesh, plain,
+                std::to_string(plain.quads.size()) + " quads, "
+                + std::to_string(checker.number_of_extraordinary_points())
+                + " extraordinary points");
 }
 
 // The whole run; what it reports says how far it came. `make` fills the case.
@@ -139,7 +184,9 @@ inline void run_layout(const std::function<Mesh_defect(Case&)>& make, double siz
     return report("failure", json(std::string(SC::error_message(code))));
   if(!options.layout_folder.empty())
     CGAL::IO::write_OBJ(options.layout_folder + "/" + name + ".obj", layout);
-  check_and_measure(network, h, layout, mesh, report);
+  const std::string picture
+    = options.picture_folder.empty() ? "" : options.picture_folder + "/" + name + ".png";
+  check_and_measure(network, h, layout, mesh, picture, report);
 }
 
 #endif // ROBUSTNESS_LAYOUT_RUN_H

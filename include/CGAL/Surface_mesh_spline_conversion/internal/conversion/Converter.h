@@ -19,6 +19,7 @@
 #include <CGAL/Surface_mesh_spline_conversion/Transfinite_patch_network_3.h>
 #include <CGAL/Surface_mesh_spline_conversion/compute_quad_layout.h>
 #include <CGAL/Surface_mesh_spline_conversion/extract_NURBS_faces.h>
+#include <CGAL/Surface_mesh_spline_conversion/find_boundary_vertices.h>
 #include <CGAL/Surface_mesh_spline_conversion/fit_boundary.h>
 #include <CGAL/Surface_mesh_spline_conversion/fit_interior.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/conversion/Mesh_component.h>
@@ -51,6 +52,7 @@ class Converter
 {
   typedef typename boost::property_traits<VertexPointMap>::value_type Point_3;
   typedef typename Kernel_traits<Point_3>::Kernel Kernel;
+  typedef typename Kernel::FT FT;
   typedef Boundary_curve_network_3<TriangleMesh, BoundaryCurveTraits> Network;
   typedef Component_splitter<TriangleMesh, VertexPointMap, BoundaryCurveTraits> Splitter;
   typedef typename Splitter::Component Component;
@@ -197,7 +199,9 @@ private:
   {
     const auto tolerance = parameters::interior_tolerance(m_options.interior_tolerance);
     NURBS_shell_3<Kernel> shell;
-    extract_NURBS_faces(surface, shell, tolerance);
+    extract_NURBS_faces(surface, shell,
+                        tolerance.boundary_vertices(find_boundary_vertices(
+                          surface, network, FT(m_options.boundary_tolerance))));
     Deviation<Kernel> deviation;
     measure_deviation(shell, component.mesh, network, deviation, tolerance);
     part.boundary.max_deviation = CGAL::to_double(deviation.boundary_maximum);
