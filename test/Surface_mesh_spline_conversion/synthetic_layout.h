@@ -77,7 +77,8 @@ inline Surface hill()
   s.point = [bell](double a, double b) { return Point(a, b, 0.2 * bell(a, 0) * bell(b, 0)); };
   s.derivative = [bell](double a, double b, int i, int j)
   {
-    return Vector(i == 1 && j == 0 ? 1 : 0, i == 0 && j == 1 ? 1 : 0, 0.2 * bell(a, i) * bell(b, j));
+    return Vector(i == 1 && j == 0 ? 1 : 0, i == 0 && j == 1 ? 1 : 0,
+                  0.2 * bell(a, i) * bell(b, j));
   };
   return s;
 }

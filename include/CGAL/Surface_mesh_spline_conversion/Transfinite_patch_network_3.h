@@ -171,8 +171,8 @@ public:
     return point(quad, u, v, face);
   }
 
-  /// returns the same point; `face` becomes the position in `faces(tm)` of the face it is made from, or
-  /// the number of faces on the boundary.
+  /// returns the same point; `face` becomes the position in `faces(tm)` of the face it is made from,
+  /// or the number of faces on the boundary.
   Point_3 point(size_type quad, const FT& u, const FT& v, size_type& face) const
   {
     face = m_mesh->number_of_faces();

@@ -30,8 +30,9 @@ namespace Surface_mesh_spline_conversion {
 namespace internal {
 
 // The samples of a surface and of its target at one refinement level (paper, section 3.3.1): a
-// uniform grid of 5x5 samples on each patch for the fit, nested in a grid of 9x9 for the error. In a
-// direction in which the patch is shorter than half of an edge of the mesh there, 3 and 5 are enough.
+// uniform grid of 5x5 samples on each patch for the fit, nested in a grid of 9x9 for the error.
+// In a direction in which the patch is shorter than half of an edge of the mesh there, 3 and 5 are
+// enough.
 //
 // The surface is linear in its control points: per patch we keep the control points that act on
 // it and, per fit sample, their weights.
@@ -133,8 +134,8 @@ public:
     const Grid& g = m_grids[patch];
     const size_type row = 2 * g.u + 1;
     const auto& o = m_origins[patch];
-    return place(patch, FT(double(k % row) / double(2 * g.u)), FT(double(k / row) / double(2 * g.v)),
-                 o);
+    return place(patch, FT(double(k % row) / double(2 * g.u)),
+                 FT(double(k / row) / double(2 * g.v)), o);
   }
 
   // returns the error sample at the place of fit sample `k` of a patch

@@ -115,9 +115,9 @@ private:
   Eigen::Vector3d m_point;
 };
 
-// Measures the distance between surface and target at the error samples of all patches, and from the
-// vertices of the mesh to the surface: there the mesh is farthest from a smooth surface. (In the quads
-// along the boundary, the target differs from the mesh.)
+// Measures the distance between surface and target at the error samples of all patches, and from
+// the vertices of the mesh to the surface: there the mesh is farthest from a smooth surface. Vertices
+// in quads with a boundary side do not count, as the target differs from the mesh there.
 //
 // The distance between points with equal parameters is an upper bound of the distance between a
 // point and the other side. Samples are therefore visited by descending bound, and foot points
@@ -245,7 +245,8 @@ private:
 
   double distance(size_type i) const
   {
-    return m_is_parametric ? m_bounds[i] : (std::max)(distance_to_target(i), distance_to_surface(i));
+    return m_is_parametric ? m_bounds[i]
+                           : (std::max)(distance_to_target(i), distance_to_surface(i));
   }
 
   double distance_to_target(size_type i) const
