@@ -11,7 +11,8 @@ set(rules
   entry   "^convert_to_T_NURCC\\.h$|^internal/conversion/"
   base    "^(Error_code|Conversion_report|Stitching_report|Default_visitor|Error_metric)\\.h$|^internal/[^/]*\\.h$"
   layout  "^Quad_layout\\.h$"
-  field   "^(Cross_field|compute_cross_field)\\.h$|^internal/(field/|map/(make_|refine_)?[Ww]orking_mesh\\.h$)"
+  field   "^(Cross_field|compute_cross_field)\\.h$|^internal/(field/|proxy/|map/(make_|refine_)?[Ww]orking_mesh\\.h$)"
+  field   "^internal/map/limit_gradation\\.h$"
   map     "^Integer_grid_map\\.h$|^internal/map/"
   # the lengths of an integer grid map are verified by extracting its quads
   layout  "^(compute_integer_grid_map|extract_quad_layout|compute_quad_layout|measure_layout_quality)\\.h$|^internal/layout/"
