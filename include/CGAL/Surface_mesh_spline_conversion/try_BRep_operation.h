@@ -80,6 +80,9 @@ class BRep_operation_trial
 public:
   BRep_operation_trial(const TopoDS_Shape& shape, double size) : m_shape(shape), m_size(size)
   {
+    BRepBndLib::Add(shape, m_bounds);
+    if(!(size > 0))
+      m_size = DEFAULT_RELATIVE_SIZE * m_bounds.CornerMin().Distance(m_bounds.CornerMax());
     GProp_GProps volume, surface;
     BRepGProp::VolumeProperties(shape, volume);
     BRepGProp::SurfaceProperties(shape, surface);
@@ -105,6 +108,7 @@ public:
   }
 
 private:
+  static constexpr double DEFAULT_RELATIVE_SIZE = 0.01;
   // offsets follow the first order estimate, area times distance, up to the effect of curvature
   static constexpr double SHARE_OF_ESTIMATE = 0.25;
   static constexpr double OFFSET_TOLERANCE = 1e-4;  // of the kernel for its own intersections, mm
@@ -218,9 +222,7 @@ private:
 
   BRep_operation_result cut() const
   {
-    Bnd_Box bounds;
-    BRepBndLib::Add(m_shape, bounds);
-    const gp_Pnt low = bounds.CornerMin(), high = bounds.CornerMax();
+    const gp_Pnt low = m_bounds.CornerMin(), high = m_bounds.CornerMax();
     const gp_Vec diagonal(low, high);
     // through faces, not along them
     const gp_Pnt corner = low.Translated(gp_Vec(0.43 * diagonal.X(), 0.37 * diagonal.Y(),
@@ -238,6 +240,7 @@ private:
   }
 
   TopoDS_Shape m_shape;
+  Bnd_Box m_bounds;
   double m_size;
   double m_volume;
   double m_area;
@@ -259,7 +262,8 @@ first.
 
 \param shape a solid in millimetres
 \param operation the operation
-\param size distance, thickness, or radius in millimetres; not used by the cut
+\param size distance, thickness, or radius in millimetres, not used by the cut; if it is not
+       positive, a hundredth of the diagonal of the bounding box
 \param seconds the time limit
 */
 inline BRep_operation_result try_BRep_operation(const TopoDS_Shape& shape,
