@@ -146,8 +146,8 @@ inline Shell grid_shell(std::size_t m, std::size_t n,
   return shell;
 }
 
-// A dome of the given height over the window, tangent to the plane at its corners, of m x n patches.
-// Its boundary stays in the plane and bulges by up to about `gap` mm.
+// A dome of the given height over the window, tangent to the plane at its corners, of m x n
+// patches. Its boundary stays in the plane and bulges by up to about `gap` mm.
 inline Shell window_dome(std::size_t m, std::size_t n, double height, double gap)
 {
   const std::array<double, 4> identity = {{0, 1, 0, 0}};

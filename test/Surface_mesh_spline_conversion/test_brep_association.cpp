@@ -1,5 +1,5 @@
-// Curves of a mesh among the free edges of a B-Rep: the circle of a cylinder, which is one closed edge
-// with a seam, and the four edges of a window.
+// Curves of a mesh among the free edges of a B-Rep: the circle of a cylinder, which is one closed
+// edge with a seam, and the four edges of a window.
 #include "brep_models.h"
 
 #include <CGAL/Surface_mesh.h>

@@ -132,8 +132,8 @@ inline Stitching_report measure_BRep(const TopoDS_Shape& shape)
 \ingroup PkgSurfaceMeshSplineConversionOpenCascade
 
 describes how two faces meet along their common edges: the distance of their points at equal
-parameters of the edge, split by the normals of the faces. What kernels are sensitive to is the normal
-part, above all where faces are tangent to each other.
+parameters of the edge, split by the normals of the faces. What kernels are sensitive to is the
+normal part, above all where faces are tangent to each other.
 */
 struct BRep_gaps
 {

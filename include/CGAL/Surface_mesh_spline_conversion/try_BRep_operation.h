@@ -63,8 +63,8 @@ is how an operation on a B-Rep ended.
 */
 struct BRep_operation_result
 {
-  /// `"ok"`, `"not done"`, `"invalid"`, `"free edges"`, `"wrong volume"`, `"crashed"`,
-  /// `"timed out"`, or `"not applicable"`
+  /// `"ok"`, `"not done"`, `"invalid"`, `"free edges"`, `"faces lost"`, `"wrong volume"`,
+  /// `"crashed"`, `"timed out"`, or `"not applicable"`
   std::string status;
   double volume = std::numeric_limits<double>::quiet_NaN(); ///< volume of the result
 
@@ -132,6 +132,29 @@ private:
     return {"ok", volume};
   }
 
+  // The kernel may drop faces, and call the rest valid: every face but `removed` must have an image.
+  template <typename Maker>
+  BRep_operation_result judge_images(Maker& maker, const TopoDS_Face& removed, double estimate,
+                                     double volume) const
+  {
+    const BRep_operation_result result
+      = judge(maker.Shape(), volume + (1 - SHARE_OF_ESTIMATE) * estimate,
+              volume + (1 + SHARE_OF_ESTIMATE) * estimate);
+    if(!result.is_ok())
+      return result;
+    TopTools_IndexedMapOfShape faces;
+    TopExp::MapShapes(maker.Shape(), TopAbs_FACE, faces);
+    for(TopExp_Explorer x(m_shape, TopAbs_FACE); x.More(); x.Next())
+    {
+      bool has_image = x.Current().IsSame(removed);
+      for(const TopoDS_Shape& image : maker.Generated(x.Current()))
+        has_image = has_image || faces.Contains(image);
+      if(!has_image)
+        return {"faces lost", result.volume};
+    }
+    return result;
+  }
+
   BRep_operation_result offset() const
   {
     BRepOffsetAPI_MakeOffsetShape maker;
@@ -139,9 +162,7 @@ private:
                         Standard_False, GeomAbs_Arc);
     if(!maker.IsDone())
       return {"not done"};
-    const double growth = m_area * m_size;
-    return judge(maker.Shape(), m_volume + (1 - SHARE_OF_ESTIMATE) * growth,
-                 m_volume + (1 + SHARE_OF_ESTIMATE) * growth);
+    return judge_images(maker, TopoDS_Face(), m_area * m_size, m_volume);
   }
 
   BRep_operation_result thicken() const
@@ -169,8 +190,7 @@ private:
                                Standard_False, Standard_False, GeomAbs_Arc);
     if(!maker.IsDone())
       return {"not done"};
-    const double wall = (m_area - open_area) * m_size;
-    return judge(maker.Shape(), (1 - SHARE_OF_ESTIMATE) * wall, (1 + SHARE_OF_ESTIMATE) * wall);
+    return judge_images(maker, open, (m_area - open_area) * m_size, 0);
   }
 
   // calls `add` for each edge between a B-spline face and another face
@@ -252,13 +272,14 @@ private:
 \ingroup PkgSurfaceMeshSplineConversionOpenCascade
 
 applies an operation to a solid in a child process, so that a crash or an endless loop of the kernel
-only loses this result. The result is judged: it must be valid and closed, with a volume that agrees
-with an estimate (area times distance for offset and wall, the sum of both parts for a cut).
+only loses this result. The result is judged: it must be valid and closed, without loss of faces, and
+with a volume that agrees with an estimate (area times distance for offset and wall, the sum of both
+parts for a cut).
 
 An operation may also fail on a perfect model: compare with one where the surface is exact.
 
-This needs Open CASCADE and a POSIX system. If headers of both are included, those of \cgal must come
-first.
+This needs Open CASCADE and a POSIX system. If headers of both are included, those of \cgal must
+come first.
 
 \param shape a solid in millimetres
 \param operation the operation
