@@ -6,7 +6,7 @@ list(FILTER SMSC_HEADERS EXCLUDE REGEX "parameters_interface\\.h$") # an X-macro
 # headers that need Open CASCADE are tested only if it is found, and after all others: its macro
 # Handle() must not meet the class of CGAL
 set(SMSC_OPENCASCADE_HEADERS ${SMSC_HEADERS})
-set(SMSC_OPENCASCADE_REGEX "_BRep\\.h$|IO/BRep\\.h$|Open_cascade_|/open_cascade/")
+set(SMSC_OPENCASCADE_REGEX "_BRep(_operation)?\\.h$|IO/BRep\\.h$|Open_cascade_|/open_cascade/")
 list(FILTER SMSC_OPENCASCADE_HEADERS INCLUDE REGEX "${SMSC_OPENCASCADE_REGEX}")
 list(FILTER SMSC_HEADERS EXCLUDE REGEX "${SMSC_OPENCASCADE_REGEX}")
 if(TARGET Surface_mesh_spline_conversion_OpenCASCADE)

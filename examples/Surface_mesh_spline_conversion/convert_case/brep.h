@@ -65,8 +65,8 @@ inline std::string
 stitching_warning(const CGAL::Surface_mesh_spline_conversion::Stitching_report& report)
 {
   if(report.unmatched_edges > 0)
-    return "stitching: " + std::to_string(report.unmatched_edges) + " boundary edges of the surface "
-           "have no partner on the residual model";
+    return "stitching: " + std::to_string(report.unmatched_edges)
+           + " boundary edges of the surface have no partner on the residual model";
   if(report.free_edges > 0)
     return "stitching: the result is not closed, it has " + std::to_string(report.free_edges)
            + " free edges; the residual model is open elsewhere";

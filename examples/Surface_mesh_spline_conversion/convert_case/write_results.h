@@ -56,7 +56,8 @@ inline std::string prepare_output(const Options& options)
 {
   namespace fs = std::filesystem;
   std::vector<fs::path> folders = {options.pictures};
-  for(const std::string& file : {options.output, options.report, options.history, options.vtk, options.stitched})
+  for(const std::string& file
+      : {options.output, options.report, options.history, options.vtk, options.stitched})
     folders.push_back(fs::path(file).parent_path());
   for(const fs::path& folder : folders)
   {

@@ -21,8 +21,8 @@ namespace Surface_mesh_spline_conversion {
 /*!
 \ingroup PkgSurfaceMeshSplineConversionRef
 
-holds the figures of stitching a shell with the B-Rep that it bounds. Lengths are in millimetres, the
-unit of Open CASCADE.
+holds the figures of stitching a shell with the B-Rep that it bounds. Lengths are in millimetres,
+the unit of Open CASCADE.
 
 An edge is *free* if only one face uses it. The *tolerance* of an edge bounds its distance from the
 faces that use it, at equal parameter; that of a vertex bounds its distance from the ends of edges.

@@ -62,8 +62,8 @@ public:
   /// returns the nearest point on any free edge.
   Curve_set::Foot nearest(const gp_Pnt& p) const { return m_free_edges.curves().nearest(p); }
 
-  /// returns the part of a free edge that is nearest to the chord from `p` to `q` and begins and ends
-  /// there; an empty one if there is none.
+  /// returns the part of a free edge that is nearest to the chord from `p` to `q` and begins and
+  /// ends there; an empty one if there is none.
   Curve_segment segment(const gp_Pnt& p, const gp_Pnt& q) const
   {
     Curve_segment result;
@@ -145,13 +145,13 @@ std::string association_defect(const Boundary_association<K>& association, doubl
     if(foot.curve == Curve_set::NONE)
       message << " belongs to no edge: the B-Rep has no free edges";
     else
-      message << " is " << foot.distance << " away from the nearest free edge of the B-Rep, farther "
-              << "than the tolerance " << tolerance;
+      message << " is " << foot.distance << " away from the nearest free edge of the B-Rep, "
+              << "farther than the tolerance " << tolerance;
     return message.str();
   }
-  message << "the boundary vertices " << v << " and " << w << " are connected, but lie on different "
-          << "free edges of the B-Rep: the mesh needs a vertex where an edge ends or a closed edge "
-          << "begins";
+  message << "the boundary vertices " << v << " and " << w << " are connected, but lie on "
+          << "different free edges of the B-Rep: the mesh needs a vertex where an edge ends or a "
+          << "closed edge begins";
   return message.str();
 }
 

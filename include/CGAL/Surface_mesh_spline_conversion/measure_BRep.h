@@ -18,8 +18,10 @@
 #include <BRepGProp.hxx>
 #include <BRep_Tool.hxx>
 #include <GProp_GProps.hxx>
+#include <Geom_BSplineSurface.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
@@ -27,6 +29,7 @@
 #include <TopoDS_Shape.hxx>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -123,6 +126,108 @@ inline Stitching_report measure_BRep(const TopoDS_Shape& shape)
     report.volume = properties.Mass();
   }
   return report;
+}
+
+/*!
+\ingroup PkgSurfaceMeshSplineConversionOpenCascade
+
+describes how two faces meet along their common edges: the distance of their points at equal
+parameters of the edge, split by the normals of the faces. What kernels are sensitive to is the
+normal part, above all where faces are tangent to each other.
+*/
+struct BRep_gaps
+{
+  double normal = 0;     ///< largest part along the normal of one of the faces, in millimetres
+  double tangential = 0; ///< largest part in the tangent planes of both faces, in millimetres
+  double angle = 0;      ///< largest angle between the normals of two B-spline faces, in degrees
+};
+
+namespace internal {
+
+/// A face along one of its edges.
+class Face_at_edge
+{
+public:
+  Face_at_edge(const TopoDS_Edge& edge, const TopoDS_Face& face)
+    : m_surface(BRep_Tool::Surface(face)), m_is_reversed(face.Orientation() == TopAbs_REVERSED)
+  {
+    m_pcurve = BRep_Tool::CurveOnSurface(edge, face, m_first, m_last);
+  }
+
+  bool has_curve() const { return !m_pcurve.IsNull(); }
+
+  bool is_spline() const { return !Handle(Geom_BSplineSurface)::DownCast(m_surface).IsNull(); }
+
+  double first() const { return m_first; }
+
+  double last() const { return m_last; }
+
+  /// computes the point and the unit normal at `t`; returns `false` at a pole of the surface.
+  bool evaluate(double t, gp_Pnt& p, gp_Vec& normal) const
+  {
+    gp_Vec du, dv;
+    const gp_Pnt2d q = m_pcurve->Value(t);
+    m_surface->D1(q.X(), q.Y(), p, du, dv);
+    normal = du.Crossed(dv);
+    if(!(normal.Magnitude() > 1e-10 * du.Magnitude() * dv.Magnitude()))
+      return false;
+    normal /= m_is_reversed ? -normal.Magnitude() : normal.Magnitude();
+    return true;
+  }
+
+private:
+  Handle(Geom_Surface) m_surface;
+  Handle(Geom2d_Curve) m_pcurve;
+  bool m_is_reversed;
+  double m_first = 0, m_last = 0;
+};
+
+inline void add_gaps(const Face_at_edge& left, const Face_at_edge& right, BRep_gaps& gaps)
+{
+  const int samples = 64;
+  const double degrees = 180 / std::acos(-1.);
+  for(int k = 0; k <= samples; ++k)
+  {
+    const double t = left.first() + (left.last() - left.first()) * k / samples;
+    gp_Pnt p, q;
+    gp_Vec m, n;
+    if(!left.evaluate(t, p, m) || !right.evaluate(t, q, n))
+      continue;
+    const gp_Vec gap(p, q);
+    gaps.normal = (std::max)({gaps.normal, std::abs(gap.Dot(m)), std::abs(gap.Dot(n))});
+    const double rest = (std::max)((gap - gap.Dot(m) * m).Magnitude(),
+                                   (gap - gap.Dot(n) * n).Magnitude());
+    gaps.tangential = (std::max)(gaps.tangential, rest);
+    if(left.is_spline() && right.is_spline())
+      gaps.angle = (std::max)(gaps.angle, degrees * m.Angle(n));
+  }
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgSurfaceMeshSplineConversionOpenCascade
+
+measures how the faces of a boundary representation meet along the edges of two faces.
+
+This needs Open CASCADE. If headers of both are included, those of \cgal must come first.
+*/
+inline BRep_gaps measure_BRep_gaps(const TopoDS_Shape& shape)
+{
+  BRep_gaps gaps;
+  TopTools_IndexedDataMapOfShapeListOfShape faces;
+  TopExp::MapShapesAndAncestors(shape, TopAbs_EDGE, TopAbs_FACE, faces);
+  for(int i = 1; i <= faces.Extent(); ++i)
+  {
+    const TopoDS_Edge& edge = TopoDS::Edge(faces.FindKey(i));
+    if(BRep_Tool::Degenerated(edge) || faces(i).Extent() != 2)
+      continue;
+    const internal::Face_at_edge left(edge, TopoDS::Face(faces(i).First()));
+    const internal::Face_at_edge right(edge, TopoDS::Face(faces(i).Last()));
+    if(left.has_curve() && right.has_curve())
+      internal::add_gaps(left, right, gaps);
+  }
+  return gaps;
 }
 
 } // namespace Surface_mesh_spline_conversion

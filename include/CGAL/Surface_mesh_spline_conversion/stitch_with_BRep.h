@@ -51,9 +51,9 @@ joins a shell with the B-Rep that it bounds, and makes solids of what is closed.
 Each free edge of the B-Rep along the boundary of the shell is replaced by the boundary edges of the
 shell: they lie exactly on the shell, and their curves in the parameter planes of the faces of the
 B-Rep are computed at equal parameters. Only the part of the gap that is normal to these faces
-remains, and goes into the tolerances of the edges. Vertices are shared: where only one of both sides
-has a vertex, the other one gets it. Only if an edge of the shell finds no partner, Open CASCADE sews
-what is left.
+remains, and goes into the tolerances of the edges. Vertices are shared: where only one of both
+sides has a vertex, the other one gets it. Only if an edge of the shell finds no partner, Open
+CASCADE sews what is left.
 
 The faces are oriented like those of the shell. A closed shell that is turned inside out becomes a
 cavity of the solid around it.

@@ -131,7 +131,7 @@ private:
         m_samples[m_samples.size() - 2].point));
   }
 
-  // Newton's method for the foot of the perpendicular in an interval, with bisection where it leaves
+  // Newton's method for the foot of the perpendicular in an interval; bisection where it leaves
   void refine(const gp_Pnt& p, double low, double t, double high, Foot& foot) const
   {
     const int most_steps = 60;

@@ -73,8 +73,8 @@ inline double edge_deviation(const Handle(Geom_Curve)& curve, const Handle(Geom2
 }
 
 /// Computes the curve in the parameter plane of a surface whose image is a curve in space next to
-/// the surface, at equal parameters: a C1 cubic spline through feet of perpendiculars. Its knots are
-/// those of the curve, bisected until the spline follows the feet.
+/// the surface, at equal parameters: a C1 cubic spline through feet of perpendiculars. Its knots
+/// are those of the curve, bisected until the spline follows the feet.
 class Edge_on_surface
 {
 public:
@@ -132,7 +132,8 @@ private:
       m_surface->D1(q.X(), q.Y(), s, du, dv);
       const gp_Vec2d step = components(gp_Vec(s, p), du, dv);
       q.Translate(step);
-      const double length = std::abs(step.X()) * du.Magnitude() + std::abs(step.Y()) * dv.Magnitude();
+      const double length
+        = std::abs(step.X()) * du.Magnitude() + std::abs(step.Y()) * dv.Magnitude();
       if(length < 1e-5 * TOLERANCE)
         break;
     }
@@ -152,7 +153,8 @@ private:
   static gp_Pnt2d interpolate(const Node& a, const Node& b, double s)
   {
     const double h = b.t - a.t;
-    const double f1 = s * s * (3 - 2 * s), g0 = h * s * (1 - s) * (1 - s), g1 = -h * s * s * (1 - s);
+    const double f1 = s * s * (3 - 2 * s);
+    const double g0 = h * s * (1 - s) * (1 - s), g1 = -h * s * s * (1 - s);
     return gp_Pnt2d((1 - f1) * a.point.X() + f1 * b.point.X()
                       + g0 * a.derivative.X() + g1 * b.derivative.X(),
                     (1 - f1) * a.point.Y() + f1 * b.point.Y()
@@ -165,7 +167,8 @@ private:
     {
       const gp_Pnt2d q = interpolate(a, b, s);
       const gp_Pnt2d exact = foot(m_curve->Value(a.t + (b.t - a.t) * s), q);
-      if(m_surface->Value(q.X(), q.Y()).Distance(m_surface->Value(exact.X(), exact.Y())) > TOLERANCE)
+      const gp_Pnt p = m_surface->Value(exact.X(), exact.Y());
+      if(m_surface->Value(q.X(), q.Y()).Distance(p) > TOLERANCE)
         return false;
     }
     return true;

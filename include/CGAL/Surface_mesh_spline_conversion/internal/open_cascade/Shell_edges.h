@@ -207,7 +207,8 @@ private:
     for(int i = 1; i <= poles.UpperRow(); ++i)
       for(int j = 1; j <= poles.UpperCol(); ++j)
         poles(i, j) = point(surface.control_point(i - 1, j - 1));
-    return new Geom_BSplineSurface(poles, knot_array(surface.knots[0]), knot_array(surface.knots[1]),
+    return new Geom_BSplineSurface(poles, knot_array(surface.knots[0]),
+                                   knot_array(surface.knots[1]),
                                    multiplicity_array(surface.knots[0]),
                                    multiplicity_array(surface.knots[1]),
                                    surface.knots[0].degree(), surface.knots[1].degree());
@@ -225,7 +226,8 @@ private:
     double u0, u1, v0, v1;
     geometry->Bounds(u0, u1, v0, v1);
     const std::array<gp_Pnt2d, 5> corners
-      = {{gp_Pnt2d(u0, v0), gp_Pnt2d(u1, v0), gp_Pnt2d(u1, v1), gp_Pnt2d(u0, v1), gp_Pnt2d(u0, v0)}};
+      = {{gp_Pnt2d(u0, v0), gp_Pnt2d(u1, v0), gp_Pnt2d(u1, v1), gp_Pnt2d(u0, v1),
+          gp_Pnt2d(u0, v0)}};
     const std::array<std::size_t, 5> begin = sides(face, geometry, corners);
     for(int side = 0; side < 4; ++side)
       add_side(face, begin[side], begin[side + 1], corners[side], corners[side + 1], result, wire);

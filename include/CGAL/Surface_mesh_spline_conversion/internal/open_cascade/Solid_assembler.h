@@ -44,9 +44,9 @@ inline double volume(const TopoDS_Shape& shape)
   return properties.Mass();
 }
 
-/// Assembles faces that share edges to shells, and closed shells to solids. The faces of a shell are
-/// oriented like its first one; a shell that is turned inside out is a cavity of the solid around it
-/// if there is one.
+/// Assembles faces that share edges to shells, and closed shells to solids. The faces of a shell
+/// are oriented like its first one; a shell that is turned inside out is a cavity of the solid
+/// around it if there is one.
 class Solid_assembler
 {
   static constexpr std::size_t NONE = (std::numeric_limits<std::size_t>::max)();

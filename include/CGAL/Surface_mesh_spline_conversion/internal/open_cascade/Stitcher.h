@@ -92,7 +92,6 @@ private:
       vertices.Add(m_free_edges[i].target);
     }
     std::vector<std::tuple<double, int, std::size_t> > pairs;
-    TopTools_IndexedMapOfShape border_vertices;
     for(const std::size_t v : vertices_of_border())
       for(int i = 1; i <= vertices.Extent(); ++i)
       {

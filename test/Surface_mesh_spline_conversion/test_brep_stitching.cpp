@@ -1,0 +1,128 @@
+// Stitching with a B-Rep: a dome in a window of a box, whose volume is known, and a disk on a
+// cylinder, whose boundary is only near the circle and has other vertices.
+#include "brep_models.h"
+#include "shell_checks.h"
+
+#include <CGAL/Surface_mesh_spline_conversion/IO/BRep.h>
+#include <CGAL/Surface_mesh_spline_conversion/stitch_with_BRep.h>
+
+#include <cstdio>
+#include <iostream>
+
+namespace SMSC = CGAL::Surface_mesh_spline_conversion;
+
+void check_solid(const SMSC::Stitching_report& report, std::size_t faces)
+{
+  assert(report.method == "shared edges" && report.unmatched_edges == 0);
+  assert(report.solids == 1 && report.shells == 1 && report.faces == faces);
+  assert(report.free_edges == 0 && report.multiple_edges == 0 && report.is_valid);
+}
+
+// reads back what is written; a STEP file keeps no tolerances, the reader measures them
+void check_files(const TopoDS_Shape& shape, const SMSC::Stitching_report& report)
+{
+  for(const std::string filename : {"test_brep_stitching.step", "test_brep_stitching.brep"})
+  {
+    TopoDS_Shape copy;
+    std::string message;
+    assert(CGAL::IO::write_BRep(filename, shape));
+    assert(CGAL::IO::read_BRep(filename, copy, message));
+    std::remove(filename.c_str());
+    const SMSC::Stitching_report again = SMSC::measure_BRep(copy);
+    assert(again.solids == report.solids && again.shells == report.shells);
+    assert(again.faces == report.faces && again.free_edges == 0 && again.is_valid);
+    assert(std::abs(again.volume - report.volume) <= 1e-9 * report.volume);
+    assert(again.edge_tolerance <= report.edge_tolerance * (1 + 1e-9));
+    assert(again.vertex_tolerance <= report.vertex_tolerance * (1 + 1e-9));
+  }
+}
+
+// A gap in the plane of the neighbouring face leaves no trace in the tolerances of edges.
+void test_window(std::size_t m, std::size_t n)
+{
+  const double height = 6, gap = 1e-3;
+  const Shell shell = window_dome(m, n, height, gap);
+  const Shell_checks<K> checks(shell);
+  assert(checks.largest_gap < 1e-12);
+  TopoDS_Shape solid;
+  SMSC::Stitching_report report;
+  assert(SMSC::stitch_with_BRep(shell, box_with_window(), 2 * gap, solid, report));
+  check_solid(report, 6 + m * n);
+  std::cout << m << " x " << n << ": distance " << report.edge_distance << ", deviation "
+            << report.edge_deviation << ", tolerances " << report.edge_tolerance << ' '
+            << report.vertex_tolerance << ", volume error "
+            << report.volume - window_volume(height, gap) << std::endl;
+  assert(report.edge_distance > 0.9 * gap && report.edge_distance < gap);
+  assert(report.edge_deviation < 1e-12);
+  assert(report.edge_tolerance == 1e-7 && report.vertex_tolerance == 1e-7);
+  assert(std::abs(report.volume - window_volume(height, gap)) < 1e-9 * report.volume);
+  check_files(solid, report);
+}
+
+// What is farther apart than the tolerance stays open, and this is told.
+void test_too_far()
+{
+  const double gap = 1e-2;
+  TopoDS_Shape result;
+  SMSC::Stitching_report report;
+  assert(!SMSC::stitch_with_BRep(window_dome(1, 1, 6, gap), box_with_window(), gap / 10, result,
+                                 report));
+  assert(report.unmatched_edges == 4 && report.free_edges > 0 && report.solids == 0);
+}
+
+// The shell has vertices at 45, 135, ... degrees, the cylinder at 0; the shell is in meters.
+void test_disk()
+{
+  const double gap = 20 * 2.73e-4;
+  Shell shell;
+  const Shell in_millimetres = disk(5);
+  for(std::size_t v = 0; v < in_millimetres.number_of_vertices(); ++v)
+    shell.add_vertex(CGAL::ORIGIN + (in_millimetres.point(v) - CGAL::ORIGIN) / 1000);
+  for(std::size_t e = 0; e < in_millimetres.number_of_edges(); ++e)
+  {
+    Shell::Edge edge = in_millimetres.edge(e);
+    for(Point_3& p : edge.curve.control_points)
+      p = CGAL::ORIGIN + (p - CGAL::ORIGIN) / 1000;
+    shell.add_edge(edge);
+  }
+  Shell::Face face = in_millimetres.face(0);
+  for(Point_3& p : face.surface.control_points)
+    p = CGAL::ORIGIN + (p - CGAL::ORIGIN) / 1000;
+  shell.add_face(face);
+
+  TopoDS_Shape solid;
+  SMSC::Stitching_report report;
+  assert(SMSC::stitch_with_BRep(shell, open_cylinder(), 2 * gap, solid, report, 1000));
+  std::cout << "disk: distance " << report.edge_distance << ", deviation " << report.edge_deviation
+            << ", tolerances " << report.edge_tolerance << ' ' << report.vertex_tolerance
+            << ", volume " << report.volume << std::endl;
+  check_solid(report, 3);
+  // the gap is normal to the cylinder: all of it remains, and nothing more
+  assert(report.edge_distance > 0.9 * gap && report.edge_distance < 1.01 * gap);
+  assert(report.edge_deviation > 0.9 * gap && report.edge_deviation < 1.01 * gap);
+  assert(report.edge_tolerance <= 1.06 * gap && report.vertex_tolerance <= 1.06 * gap);
+  assert(report.volume > CGAL_PI * 20 * 20 * 30);
+  check_files(solid, report);
+}
+
+// A shell that looks inwards becomes a solid with positive volume, too.
+void test_orientation()
+{
+  const Shell shell = window_dome(1, 1, 6, 0);
+  TopoDS_Shape solid;
+  SMSC::Stitching_report report;
+  assert(SMSC::stitch_with_BRep(shell, box_with_window().Reversed(), 1e-6, solid, report));
+  check_solid(report, 7);
+  assert(std::abs(report.volume - window_volume(6, 0)) < 1e-9 * report.volume);
+}
+
+int main()
+{
+  std::cout.precision(3);
+  test_window(1, 1);
+  test_window(3, 2);
+  test_too_far();
+  test_disk();
+  test_orientation();
+  return 0;
+}
