@@ -330,8 +330,8 @@ public:
   void refine(const std::vector<Patch_split>& splits);
 
   /// halves the knot intervals of the boundary that overlap the given spans, on row 0 alone, and
-  /// what has to be refined with them to have a sound surface: neighboring intervals of row 0, and the
-  /// parts of a side of a patch, differ at most by a factor of two; the faces around an
+  /// what has to be refined with them to have a sound surface: neighboring intervals of row 0, and
+  /// the parts of a side of a patch, differ at most by a factor of two; the faces around an
   /// extraordinary point are quadrisected if one of them or an edge that leaves them is split; and
   /// extensions of T-junctions do not cross, therefore the basis functions are linearly independent
   /// and sum up to one. Patches are split at convex corners only, or next to other T-junctions.
