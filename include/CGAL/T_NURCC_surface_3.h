@@ -41,12 +41,12 @@ The surface is made from a quad layout. Every boundary edge of the layout gets a
 of faces with a knot interval of length zero, such that the outer row of control points (row 0)
 alone defines the boundary curves, which are cubic splines. A corner of the boundary at a layout
 vertex with one quad becomes the crossing of two 0-channels; at a layout vertex with two quads, the
-rows 0 and 1 get a triple knot.
+rows 0 and 1 get a triple knot, or row 0 alone if one of these quads has an extraordinary vertex.
 
 Away from the vertices of valence other than four (the *extraordinary points*), the surface is a
 T-spline, bicubic on every *Bezier element*, and twice continuously differentiable, except across
-the line of two knot intervals above a corner with a triple knot. Around an extraordinary point it
-is the limit surface of Catmull and Clark. All basis functions sum up to one.
+the line above a corner with a triple knot: of two knot intervals, or one if only row 0 has it.
+Around an extraordinary point it is the limit surface of Catmull and Clark. All basis functions sum up to one.
 
 A *patch* is a face of the control mesh that is not part of a 0-channel. Points of a patch are given
 in the local coordinates `(u,v)` in \f$ [0,1]^2 \f$ of its quad of the layout, in the orientation of
@@ -329,11 +329,12 @@ public:
   /// them, see `refine_boundary()`. A patch may occur more than once.
   void refine(const std::vector<Patch_split>& splits);
 
-  /// halves the knot intervals of the boundary that overlap the given spans, and what has to be
-  /// refined with them to have a sound surface: splits are carried one patch inwards; patches
-  /// at convex corners and the two-ring of an extraordinary point are quadrisected; neighboring
-  /// intervals differ at most by a factor of two; and extensions of T-junctions do not cross,
-  /// therefore the basis functions are linearly independent and sum up to one.
+  /// halves the knot intervals of the boundary that overlap the given spans, on row 0 alone, and
+  /// what has to be refined with them to have a sound surface: neighboring intervals of row 0, and
+  /// the parts of a side of a patch, differ at most by a factor of two; the faces around an
+  /// extraordinary point are quadrisected if one of them or an edge that leaves them is split; and
+  /// extensions of T-junctions do not cross, therefore the basis functions are linearly independent
+  /// and sum up to one. Patches are split at convex corners only, or next to other T-junctions.
   void refine_boundary(const std::vector<Boundary_span>& spans);
 
   /// @}

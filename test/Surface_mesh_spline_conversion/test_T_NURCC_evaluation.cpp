@@ -241,6 +241,53 @@ void test_corner_lines()
 }
 
 template <typename K>
+void move_control_points(CGAL::T_NURCC_surface_3<K>& surface, std::mt19937& generator)
+{
+  for(std::size_t i = 0; i < surface.number_of_control_points(); ++i)
+    surface.set_control_point(i, surface.control_point(i)
+                                 + typename K::Vector_3(0, 0, double(generator() % 100) / 100));
+}
+
+// T-vertices on the rings of an extraordinary point, and a refined boundary next to it
+template <typename K>
+void test_refined_continuity(int n, int m)
+{
+  typedef CGAL::T_NURCC_surface_3<K> Surface;
+  std::mt19937 generator(static_cast<unsigned int>(10 * n + m));
+  Layout<K> layout = fan_layout<K>(n, m);
+  add_chains(layout, 0, generator);
+  Surface surface(layout);
+  for(int step = 0; step < 3; ++step)
+  {
+    const auto knots = surface.boundary_curve(0).knots;
+    surface.refine_boundary({{0, knots.front(), knots[knots.size() / 2]}});
+    surface.refine(std::vector<typename Surface::Patch_split>{
+      {generator() % surface.number_of_patches(), true, false}});
+    move_control_points(surface, generator);
+    assert(surface.is_valid());
+    test_continuity(surface, layout, {});
+  }
+}
+
+// a corner whose edge ends at an extraordinary point: there the normal is continuous nevertheless
+template <typename K>
+void test_corner_at_extraordinary_point()
+{
+  std::mt19937 generator(5);
+  Layout<K> layout = fan_layout<K>(5, 1);
+  std::size_t quad = 0;
+  int side = 0; // the edge from the extraordinary point, which is vertex 0
+  while(layout.vertex(quad, side) != 0)
+    ++side;
+  layout.set_corner(layout.vertex(quad, side + 1), true);
+  CGAL::T_NURCC_surface_3<K> surface(layout);
+  assert(surface.is_valid() && surface.number_of_patches() == layout.number_of_quads());
+  move_control_points(surface, generator);
+  const auto other = layout.neighbor(quad, side);
+  test_continuity(surface, layout, {{quad, side}, {other.first, other.second}});
+}
+
+template <typename K>
 void test_kernel()
 {
   test_tensor_product<K>();
@@ -256,7 +303,9 @@ void test_kernel()
       assert(surface.is_valid() && surface.number_of_extraordinary_points() == 1);
       test_continuity(surface, layout, {});
       test_derivatives(layout);
+      test_refined_continuity<K>(n, m);
     }
+  test_corner_at_extraordinary_point<K>();
   const Layout<K> layout = cubes_layout<K>(stairs(), true);
   test_continuity(CGAL::T_NURCC_surface_3<K>(layout), layout, {});
 }

@@ -8,7 +8,8 @@
 //
 // Thousands of random refinements of small surfaces. After each, 16 functions must live on every
 // regular Bezier element and sum up to one. On grids, where everything has global coordinates, the
-// extensions of T-junctions are traced anew and compared pair by pair; on small surfaces the rank
+// extensions of T-junctions are traced anew and compared pair by pair, and the surface is evaluated
+// as the sum of all basis functions, by the recursion of Cox and de Boor; on small surfaces the rank
 // of the whole basis is computed.
 
 #include <CGAL/Simple_cartesian.h>
@@ -71,6 +72,7 @@ public:
     const auto origin = property_map<Mesh::Face_index, internal::Face_origin>(mesh, "f:origin");
     const auto is_corner = property_map<Mesh::Halfedge_index, bool>(mesh, "h:corner");
     const auto length = property_map<Mesh::Edge_index, Ticks>(mesh, "e:length");
+    m_vertices.resize(mesh.num_vertices());
     for(const auto f : mesh.faces())
     {
       Position p = {{0, 0}};
@@ -82,6 +84,7 @@ public:
         for(std::size_t k = 0; k < 2; ++k)
           p[k] += step[side][k] * length[mesh.edge(h)];
         add_segment(global(origin[f], start), global(origin[f], p));
+        m_vertices[mesh.target(h)] = global(origin[f], p);
         if(is_corner[h])
           ++side;
         else // the target lies inside a side
@@ -96,6 +99,36 @@ public:
   }
 
   std::size_t number_of_t_junctions() const { return m_junctions.size(); }
+
+  // the largest distance between the surface and the sum of all basis functions, at some points of
+  // all patches
+  double largest_difference(const Surface& surface) const
+  {
+    std::vector<std::array<std::array<double, 5>, 2> > knots;
+    for(const Position& p : m_vertices)
+      knots.push_back({{local_knots(p, 0), local_knots(p, 1)}});
+    double result = 0;
+    for(std::size_t i = 0; i < surface.number_of_patches(); ++i)
+    {
+      const auto o = surface.patch_origin(i);
+      for(const double s : {0.07, 0.47, 0.93}) // on no knot
+      {
+        const double u = o.u0 + s * (o.u1 - o.u0), v = o.v0 + (1 - 0.9 * s) * (o.v1 - o.v0);
+        const double x = double(o.quad % m_number_of_columns) + u;
+        const double y = double(o.quad / m_number_of_columns) + v;
+        K::Vector_3 sum = CGAL::NULL_VECTOR;
+        for(std::size_t k = 0; k < knots.size(); ++k)
+        {
+          const double weight = b_spline(knots[k][0], 0, 3, x) * b_spline(knots[k][1], 0, 3, y);
+          if(weight != 0)
+            sum = sum + weight * (surface.control_point(k) - CGAL::ORIGIN);
+        }
+        result = (std::max)(result, (surface.position(i, u, v) - (CGAL::ORIGIN + sum))
+                                      .squared_length());
+      }
+    }
+    return std::sqrt(result);
+  }
 
   // the number of pairs of closed extensions that cross
   std::size_t number_of_crossings() const
@@ -119,6 +152,33 @@ public:
   }
 
 private:
+  std::array<double, 5> local_knots(const Position& p, std::size_t axis) const
+  {
+    Position direction = {{0, 0}};
+    direction[axis] = 1;
+    const Position back = {{-direction[0], -direction[1]}};
+    return {{internal::to_parameter(end(p, back, 2)[axis]),
+             internal::to_parameter(end(p, back, 1)[axis]), internal::to_parameter(p[axis]),
+             internal::to_parameter(end(p, direction, 1)[axis]),
+             internal::to_parameter(end(p, direction, 2)[axis])}};
+  }
+
+  // the recursion of Cox and de Boor
+  static double b_spline(const std::array<double, 5>& t, std::size_t i, std::size_t degree, double x)
+  {
+    if(x <= t[i] || x >= t[i + degree + 1])
+      return 0;
+    if(degree == 0)
+      return 1;
+    double result = 0;
+    if(t[i + degree] > t[i])
+      result += (x - t[i]) / (t[i + degree] - t[i]) * b_spline(t, i, degree - 1, x);
+    if(t[i + degree + 1] > t[i + 1])
+      result += (t[i + degree + 1] - x) / (t[i + degree + 1] - t[i + 1])
+                * b_spline(t, i + 1, degree - 1, x);
+    return result;
+  }
+
   // from the frame of a face; 0-channels lie around the grid, one tick wide
   Position global(const internal::Face_origin& origin, const Position& p) const
   {
@@ -146,7 +206,8 @@ private:
                                  (std::max)(a[axis], b[axis])});
   }
 
-  // the point on a ray where it has met so many perpendicular segments, or the last one it meets
+  // the point on a ray where it has met so many perpendicular segments or vertices, or the last one
+  // that it meets
   Position end(Position p, const Position& direction, int steps) const
   {
     const int axis = direction[0] != 0 ? 0 : 1;
@@ -160,6 +221,13 @@ private:
           if(distance > 0 && (nearest == 0 || distance < nearest))
             nearest = distance;
         }
+      for(const Position& v : m_vertices) // those of row 0 may be on no perpendicular segment
+        if(v[1 - axis] == p[1 - axis])
+        {
+          const Ticks distance = (v[axis] - p[axis]) * direction[axis];
+          if(distance > 0 && (nearest == 0 || distance < nearest))
+            nearest = distance;
+        }
       p[axis] += direction[axis] * nearest;
     }
     return p;
@@ -168,6 +236,7 @@ private:
   std::size_t m_number_of_columns;
   std::vector<Segment> m_segments;
   std::vector<T_junction> m_junctions;
+  std::vector<Position> m_vertices;
 };
 
 // The smallest eigenvalue of the mass matrix of the basis, sampled on all elements, with respect to
@@ -246,6 +315,11 @@ void test_layout(Layout<K> layout, std::size_t number_of_columns, double share_o
         assert(Plane_T_mesh(surface, number_of_columns).number_of_crossings() == 0);
       ++statistics.number_of_refinements;
     }
+    for(std::size_t i = 0; i < surface.number_of_control_points(); ++i)
+      surface.set_control_point(i, surface.control_point(i)
+                                   + K::Vector_3(0, 0, double(generator() % 100) / 100));
+    if(number_of_columns != 0)
+      assert(Plane_T_mesh(surface, number_of_columns).largest_difference(surface) < 1e-12);
     statistics.largest_number_of_patches
       = (std::max)(statistics.largest_number_of_patches, surface.number_of_patches());
     if(seed == 0 && surface.number_of_control_points() <= largest_rank)

@@ -37,8 +37,8 @@ class Control_point_transfer
   typedef typename Mesh::Halfedge Halfedge;
   typedef typename Mesh::Face Face;
 
-  // a point on the boundary of a patch where the control point in question lies, in the frame of the
-  // patch, and the direction at the control point of the first axis of the patch
+  // a point on the boundary of a patch where the control point in question lies, in the frame of
+  // the patch, and the direction at the control point of the first axis of the patch
   struct Seat
   {
     Face face;
@@ -140,7 +140,7 @@ private:
     collect_seats(v, m_mesh.target(radial), turns + next_turns, seats);
   }
 
-  // adds the point of a patch next to a T-vertex of row 0, whose direction 0 is that of the boundary
+  // adds the point of a patch next to a T-vertex of row 0; its direction 0 is that of the boundary
   void add_seat_behind_channel(Vertex w, int turns, std::vector<Seat>& seats) const
   {
     const Halfedge h = m_mesh.star(w).into[1];

@@ -28,8 +28,8 @@ namespace internal {
 
 // Refines a T-mesh by bisecting faces, such that the result is analysis-suitable and graded:
 //  - row 0 has all knots of row 1, but may have more: its functions reach one bay inwards only;
-//  - neighboring intervals of row 0 differ at most by a factor of two, a side of a patch has at most
-//    two parts, and a patch is at most four times as long as wide;
+//  - neighboring intervals of row 0 differ at most by a factor of two, a side of a patch has at
+//    most two parts, and a patch is at most four times as long as wide;
 //  - the faces around an extraordinary point, and the edges that leave them, have equal lengths or
 //    the length zero, and no T-vertex: where this does not hold, these faces are quadrisected;
 //  - extensions of T-junctions do not cross: one of the two is extended by one bay.
@@ -248,8 +248,8 @@ private:
     for(std::size_t i = 0; i < junctions.size(); ++i)
       if(!junctions[i].crossings.empty())
         order.push_back(i);
-    // The T-junction on the coarsest edge first: its extension soon ends in the coarse part, whereas
-    // a fine one could be pushed ahead of another through the whole refined part.
+    // The T-junction on the coarsest edge first: its extension soon ends in the coarse part,
+    // whereas a fine one could be pushed ahead of another through the whole refined part.
     auto key = [&](std::size_t i)
     {
       const Halfedge h = m_mesh.star(junctions[i].vertex).into[junctions[i].direction];
@@ -282,8 +282,8 @@ private:
 
   typedef typename T_junction_extensions<Point>::T_junction T_junction;
 
-  // Which of two T-junctions is to be extended? That of higher rank: 2 within a patch, 1 on row 0, 0
-  // if it belongs to a multiple knot at a corner, which cannot be extended.
+  // Which of two T-junctions is to be extended? That of higher rank: 2 within a patch, 1 on row 0,
+  // 0 if it belongs to a multiple knot at a corner, which cannot be extended.
   int rank_of_extension(const T_junction& junction) const
   {
     const Halfedge h = m_mesh.star(junction.vertex).into[junction.direction];

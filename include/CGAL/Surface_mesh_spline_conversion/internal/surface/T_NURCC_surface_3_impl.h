@@ -181,8 +181,8 @@ T_NURCC_surface_3<K>::regular_element(size_type i, const Regular_element& e) con
   return result;
 }
 
-// adds the functions of element `e` to the Bezier points on the rectangle `r`, in coordinates of the
-// face
+// adds the functions of element `e` to the Bezier points on the rectangle `r`, in coordinates of
+// the face
 template <typename K>
 void T_NURCC_surface_3<K>::add_functions(const Regular_element& e, const Rectangle& r,
                                          std::array<Vector_3, 16>& points) const
@@ -192,8 +192,10 @@ void T_NURCC_surface_3<K>::add_functions(const Regular_element& e, const Rectang
   for(size_type f = e.first; f < e.last; ++f)
   {
     const auto& function = m_basis.function(f);
-    const internal::Row u = internal::restricted(function.u, (r.u0 - e.u0) / du, (r.u1 - e.u0) / du);
-    const internal::Row v = internal::restricted(function.v, (r.v0 - e.v0) / dv, (r.v1 - e.v0) / dv);
+    const internal::Row u
+      = internal::restricted(function.u, (r.u0 - e.u0) / du, (r.u1 - e.u0) / du);
+    const internal::Row v
+      = internal::restricted(function.v, (r.v0 - e.v0) / dv, (r.v1 - e.v0) / dv);
     const Vector_3 p = control_point(function.control_point) - ORIGIN;
     for(int j = 0; j < 4; ++j)
       for(int k = 0; k < 4; ++k)
@@ -270,8 +272,8 @@ void T_NURCC_surface_3<K>::add_extraordinary_elements(size_type i, int levels,
   }
 }
 
-// Adds the square [s, s+size] x [t, t+size] of the quarter at `corner` of an extraordinary patch, cut
-// in pieces where the functions of the patch are. `stencils` has the Bezier points of its
+// Adds the square [s, s+size] x [t, t+size] of the quarter at `corner` of an extraordinary patch,
+// cut in pieces where the functions of the patch are. `stencils` has the Bezier points of its
 // Catmull-Clark part.
 template <typename K>
 void T_NURCC_surface_3<K>::add_piece(size_type i, int corner, const Stencil_matrix& stencils,
@@ -350,8 +352,8 @@ void T_NURCC_surface_3<K>::add_element(size_type i, const Rectangle& r, bool is_
   out.push_back(element);
 }
 
-// The ring is read off from the Catmull-Clark part and from the functions of the patches next to the
-// extraordinary point; these must not be cut within the ring.
+// The ring is read off from the Catmull-Clark part and from the functions of the patches next to
+// the extraordinary point; these must not be cut within the ring.
 template <typename K>
 int T_NURCC_surface_3<K>::minimum_ring_level(size_type i) const
 {

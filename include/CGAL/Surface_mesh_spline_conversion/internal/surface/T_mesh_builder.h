@@ -28,8 +28,8 @@ namespace internal {
 // controls the boundary curve and whose inner row (row 1, the vertices of the layout) controls
 // the tangent planes. The initial control points reproduce a flat uniform layout.
 //
-// The triple knot at a corner between two quads is one of both rows (Fig. 6 b), but of row 0 only if
-// one of these quads has an extraordinary vertex.
+// The triple knot at a corner between two quads is one of both rows (Fig. 6 b), but of row 0 only
+// if one of these quads has an extraordinary vertex.
 template <typename GeomTraits>
 class T_mesh_builder
 {
@@ -110,7 +110,8 @@ private:
       return false;
     const std::size_t before = m_vertices[v].incoming.first, after = m_vertices[v].outgoing.first;
     for(int k = 0; k < 4; ++k)
-      if(is_extraordinary(m_layout.vertex(before, k)) || is_extraordinary(m_layout.vertex(after, k)))
+      if(is_extraordinary(m_layout.vertex(before, k))
+         || is_extraordinary(m_layout.vertex(after, k)))
         return false;
     return true;
   }
@@ -317,11 +318,12 @@ private:
       origin.side = side.second;
       origin.first = {{x[j], 0}};
       origin.last = {{x[j + 1], zero_interval_ticks}};
+      const Radials& begin = m_radials[m_layout.vertex(side.first, side.second)];
+      const Radials& end = m_radials[m_layout.vertex(side.first, side.second + 1)];
       std::vector<Halfedge> halfedges
         = row_0_edges(radials[j], radials[j + 1], x[j + 1] - x[j],
-                      j == 0 ? m_radials[m_layout.vertex(side.first, side.second)].after : Vertex(),
-                      j + 2 == radials.size()
-                        ? m_radials[m_layout.vertex(side.first, side.second + 1)].before : Vertex());
+                      j == 0 ? begin.after : Vertex(),
+                      j + 2 == radials.size() ? end.before : Vertex());
       std::vector<bool> is_corner(halfedges.size() + 3, true);
       for(std::size_t k = 0; k + 1 < halfedges.size(); ++k)
         is_corner[k] = false;
