@@ -368,7 +368,7 @@ private:
 
   static bool has_good_triangles(const Operation& operation, const Ring& r, bool is_round)
   {
-    const double smallest_quality = is_round ? 1e-3 : 0.1;
+    const double smallest_quality = is_round ? 0.05 : 0.15;
     const Eigen::Vector2d& w = operation.ring[operation.remaining];
     for(std::size_t i = 0; i < r.triangles.size(); ++i)
     {
