@@ -28,6 +28,7 @@ inline Error_code compute_integer_grid_map(const Cross_field& field, int most_re
                                            Integer_grid_map& map)
 {
   map = Integer_grid_map();
+  map.proxy = field.proxy;
   Seamless_map seamless;
   const Error_code code = compute_seamless_map(field, seamless, most_repairs);
   if(code != Error_code::OK)
