@@ -1,6 +1,6 @@
-// Layouts of inputs on which maps tend to fail: tiny meshes, needles, vertices close together, loops
-// shorter than a quad, many loops, sizes far from that of the mesh. Each gives a valid layout;
-// inputs that are no surface give a code and a message that names the element.
+// Layouts of inputs on which maps tend to fail: tiny meshes, needles, vertices close together,
+// loops shorter than a quad, many loops, sizes far from that of the mesh. Each gives a valid
+// layout; inputs that are no surface give a code and a message that names the element.
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

@@ -47,8 +47,8 @@ inline std::array<double, 3> barycentric_coordinates(const std::array<Eigen::Vec
   return b;
 }
 
-// Puts coordinates that are negative by rounding onto the triangle, and those of its vertices, up to
-// rounding, to the vertex.
+// Puts coordinates that are negative by rounding onto the triangle, and those that are nearly a
+// vertex to the vertex.
 inline void clamp_to_triangle(std::array<double, 3>& b)
 {
   const double almost_one = 1 - 1e-13;
