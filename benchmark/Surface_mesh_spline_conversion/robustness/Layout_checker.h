@@ -495,25 +495,29 @@ private:
   }
 
   // Checks the orientation by a small step in u and in v; returns the ratio of the areas of image
-  // and quad. Steps that leave the face are tried in the other directions.
+  // and quad. Steps that leave the face, cross a kink of the map or drown in rounding are tried in
+  // the other directions and with another length: where the map is reversed, all of them are.
   double check_orientation(std::size_t q, double u, double v)
   {
-    const double step = 1e-5;
+    const double small_step = 1e-7, step = 1e-5;
     const Location at = locate(q, u, v);
     if(!check_location(q, at))
       return 0;
-    for(const double du : {step, -step})
-      for(const double dv : {step, -step})
+    bool is_reversed = false;
+    for(const double du : {small_step, -small_step, step, -step})
+      for(const double dv : {du, -du})
       {
         const Location b = locate(q, u + du, v), c = locate(q, u, v + dv);
         if(at.face != b.face || at.face != c.face)
           continue;
         const Point db = b.barycentric - at.barycentric, dc = c.barycentric - at.barycentric;
         const double ratio = (db[0] * dc[1] - db[1] * dc[0]) / (du * dv);
-        if(!(ratio > 0))
-          report("orientation of the image", quad(q));
-        return ratio * norm(m_mesh.normal(at.face));
+        if(ratio > 0)
+          return ratio * norm(m_mesh.normal(at.face));
+        is_reversed = true;
       }
+    if(is_reversed)
+      report("orientation of the image", quad(q));
     // between faces: what the step itself spans
     const Location b = locate(q, u + step, v), c = locate(q, u, v + step);
     return norm(cross(b.point - at.point, c.point - at.point)) / (step * step);

@@ -79,12 +79,13 @@ struct Map_attempt
 
 // What to try after a first attempt with `field`. Quads larger than the features of the shape
 // (handles, small loops, thin walls) would spread singularities over these: halving the spacing
-// lets them stay where the shape wants them. It ends at twice the edges of the mesh.
+// lets them stay where the shape wants them. It ends near the length of the edges of
+// the mesh.
 inline void append_attempts(const Cross_field& field, std::vector<Map_attempt>& attempts)
 {
   if(field.size.size() != field.mesh.points.size() || field.size.empty())
     return;
-  const double smallest_spacing = 0.125, edges_per_spacing = 2;
+  const double smallest_spacing = 0.125, edges_per_spacing = 0.6;
   const double size = *std::min_element(field.size.begin(), field.size.end());
   const double edge = mean_edge_length(field.mesh);
   double spacing = attempts.front().spacing;
@@ -165,9 +166,10 @@ computes a quad layout of a triangle mesh: a cross field, an integer grid map th
 the quads of this map.
 
 Where the map fails, singularities are moved, and quads that are larger than the features of the
-shape are given singularities at smaller distances. What cannot fail comes last: the mesh is coarsened, a ring of quads is laid along each boundary
-loop, and each triangle in between is divided into three quads. Such a layout is valid, but has many
-extraordinary points; its corners are regular vertices even where the boundary is convex.
+shape are given singularities at smaller distances. What cannot fail comes last: the mesh is
+coarsened, a ring of quads is laid along each boundary loop, and each triangle in between is divided
+into three quads. Such a layout is valid, but has many extraordinary points; its corners are regular
+vertices even where the boundary is convex.
 `Conversion_report::Map::fallback` says which of these was needed.
 
 \tparam TriangleMesh a model of `HalfedgeListGraph` and `FaceListGraph`

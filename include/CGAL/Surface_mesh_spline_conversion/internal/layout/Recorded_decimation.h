@@ -47,8 +47,8 @@ inline std::array<double, 3> barycentric_coordinates(const std::array<Eigen::Vec
   return b;
 }
 
-// Puts coordinates that are negative by rounding onto the triangle, and those of its vertices, up to
-// rounding, to the vertex.
+// Puts coordinates that are negative by rounding onto the triangle, and those that are nearly a
+// vertex to the vertex.
 inline void clamp_to_triangle(std::array<double, 3>& b)
 {
   const double almost_one = 1 - 1e-13;
@@ -368,7 +368,7 @@ private:
 
   static bool has_good_triangles(const Operation& operation, const Ring& r, bool is_round)
   {
-    const double smallest_quality = is_round ? 1e-3 : 0.1;
+    const double smallest_quality = is_round ? 0.05 : 0.15;
     const Eigen::Vector2d& w = operation.ring[operation.remaining];
     for(std::size_t i = 0; i < r.triangles.size(); ++i)
     {

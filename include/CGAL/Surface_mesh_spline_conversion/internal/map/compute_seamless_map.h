@@ -19,6 +19,7 @@
 #include <CGAL/Surface_mesh_spline_conversion/internal/map/round_to_fixed_point.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -179,6 +180,9 @@ private:
 constexpr int number_of_rungs = 6;
 constexpr int rung_of_refinement = 4;
 
+// repairs are local, and would only cost time where the map is wrong all over the mesh
+constexpr std::size_t most_repairable_vertices = 100;
+
 // A rung of the ladder of repairs, for a field that gave no valid map near some vertices. Moving
 // the singularities to better triangles helps most.
 inline Error_code repair(int rung, const std::vector<int>& vertices, Cross_field& field)
@@ -210,7 +214,7 @@ inline Error_code compute_seamless_map(const Cross_field& input, Seamless_map& m
     map.repairs = rung;
     if(result.second.empty())
       return Error_code::OK;
-    if(rung == most_repairs)
+    if(rung == most_repairs || (rung > 0 && result.second.size() > most_repairable_vertices))
       return Error_code::NO_SEAMLESS_MAP;
     const Error_code code = repair(rung + 1, result.second, field);
     if(code != Error_code::OK)
