@@ -39,8 +39,8 @@ struct Shell_checks
       number_of_border_edges += (uses[2 * e] + uses[2 * e + 1] == 1);
       is_used[shell.edge(e).source] = is_used[shell.edge(e).target] = true;
       assert(shell.edge(e).source != shell.edge(e).target);
-      assert(shell.edge(e).curve.point(shell.edge(e).curve.first())
-             == shell.point(shell.edge(e).source));
+      assert(shell.edge(e).curve.control_points.front() == shell.point(shell.edge(e).source));
+      assert(shell.edge(e).curve.control_points.back() == shell.point(shell.edge(e).target));
     }
     for(char used : is_used)
       assert(used);

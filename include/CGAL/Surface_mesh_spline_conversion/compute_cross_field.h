@@ -14,16 +14,19 @@
 #include <CGAL/Surface_mesh_spline_conversion/Cross_field.h>
 #include <CGAL/Surface_mesh_spline_conversion/Error_code.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/field/build_cross_field.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/map/limit_gradation.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/map/make_working_mesh.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/named_parameters.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/proxy/make_proxy_mesh.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <queue>
+#include <cstddef>
+#include <memory>
+#include <set>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -41,12 +44,14 @@ inline double mean_edge_length(const Working_mesh& mesh)
   return sum / mesh.number_of_halfedges();
 }
 
-// the quad size is a number, a property map of the vertices, or is to be chosen
+// the quad size is a number, a function or property map of the vertices, or is to be chosen
 template <typename Size, typename VertexDescriptor>
 double quad_size_at(const Size& size, VertexDescriptor v, double)
 {
   if constexpr(std::is_arithmetic<Size>::value)
     return static_cast<double>(size);
+  else if constexpr(std::is_invocable<const Size&, VertexDescriptor>::value)
+    return CGAL::to_double(size(v));
   else
     return CGAL::to_double(get(size, v));
 }
@@ -57,34 +62,76 @@ double quad_size_at(internal_np::Param_not_found, VertexDescriptor, double defau
   return default_size;
 }
 
-// Makes sizes grow at most by `gradation` per unit length: steeper ones could not be followed by
-// quads of bounded distortion.
-inline void limit_gradation(const Working_mesh& mesh, double gradation, std::vector<double>& size)
+// The vertices of the working mesh at which one curve ends and another begins.
+template <typename BoundaryCurveNetwork>
+std::vector<char> find_curve_joints(const Working_mesh& mesh, const BoundaryCurveNetwork& network)
 {
-  typedef std::pair<double, int> Entry; // (size, vertex)
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry> > queue;
-  for(int v = 0; v < mesh.number_of_vertices(); ++v)
-    queue.emplace(size[v], v);
-  while(!queue.empty())
+  std::set<std::pair<std::size_t, double> > joints; // (chain, arc length)
+  for(std::size_t c = 0; c < network.number_of_chains(); ++c)
+    for(const auto& joint : network.joints(c))
+      joints.emplace(c, CGAL::to_double(network.arc_length(c, joint.edge)));
+  std::vector<char> is_joint(mesh.number_of_vertices(), 0);
+  for(int h = 0; h < mesh.number_of_halfedges(); ++h)
+    if(mesh.is_border(h))
+    {
+      const Working_mesh::Boundary_piece& piece = mesh.boundary_piece[h];
+      is_joint[mesh.source(h)] = joints.count(std::make_pair(piece.chain, piece.first)) > 0;
+    }
+  return is_joint;
+}
+
+inline bool is_proxy_wanted(const Proxy_builder&, bool choice) { return choice; }
+
+inline bool is_proxy_wanted(const Proxy_builder& builder, internal_np::Param_not_found)
+{
+  return builder.is_proxy_wanted();
+}
+
+// Replaces the mesh of `field` by a proxy and computes the field there. Returns `false`, with
+// `field` as before, if no proxy is wanted or none is good enough. `choice`: the named parameter.
+template <typename Choice>
+bool build_cross_field_on_proxy(Cross_field& field, const std::vector<char>& is_kept,
+                                const Choice& choice)
+{
+  const auto original = std::make_shared<const Working_mesh>(field.mesh);
+  const std::vector<double> size = field.size;
+  Proxy_builder builder(original, size, is_kept);
+  const auto proxy = std::make_shared<Proxy_mesh>();
+  if(!is_proxy_wanted(builder, choice) || !builder.build(*proxy))
+    return false;
+  field = Cross_field();
+  field.mesh = proxy->mesh;
+  field.size = proxy->size;
+  field.proxy = proxy;
+  if(build_cross_field(field) == Error_code::OK)
+    return true;
+  field = Cross_field();
+  field.mesh = *original;
+  field.size = size;
+  return false;
+}
+
+// The wanted quad sizes at the vertices of the working mesh, of which the first ones are those of
+// `vertex`. Returns `false` if one is not a positive number.
+template <typename Size, typename VertexDescriptor>
+bool compute_quad_sizes(const Working_mesh& mesh, const std::vector<VertexDescriptor>& vertex,
+                        const Size& size_map, double diameter, std::vector<double>& size)
+{
+  const double quads_per_diameter = 40, edges_per_quad = 2, gradation = 0.5;
+  const double default_size = (std::max)(diameter / quads_per_diameter,
+                                         edges_per_quad * mean_edge_length(mesh));
+  size.clear();
+  for(const VertexDescriptor v : vertex)
   {
-    const Entry top = queue.top();
-    queue.pop();
-    if(top.first > size[top.second])
-      continue;
-    const auto limit = [&](int v, double distance)
-    {
-      if(size[v] <= top.first + gradation * distance)
-        return;
-      size[v] = top.first + gradation * distance;
-      queue.emplace(size[v], v);
-    };
-    mesh.for_each_outgoing(top.second, [&](int h)
-    {
-      const int back = Working_mesh::previous(h);
-      limit(mesh.target(h), mesh.vector(h).norm());
-      limit(mesh.source(back), mesh.vector(back).norm());
-    });
+    size.push_back(quad_size_at(size_map, v, default_size));
+    if(!(size.back() > 0) || !std::isfinite(size.back()))
+      return false;
   }
+  // vertices that split ears: the gradation gives them the size of their neighbours
+  const double largest = *std::max_element(size.begin(), size.end());
+  size.resize(mesh.number_of_vertices(), largest);
+  limit_gradation(mesh, gradation, size);
+  return true;
 }
 
 } // namespace internal
@@ -103,6 +150,11 @@ singularities that are closer than two quads cancel each other. The field lives 
 the mesh: edges that are longer than a quad or that join two boundary vertices or two
 singularities are split.
 
+If the mesh is much finer than the quads or has many badly shaped triangles, the field is computed
+on a proxy: a mesh of well-shaped triangles of about a third of the quad size, with vertices on the
+mesh and on its boundary, which the later stages use, too. The proxy is checked: projected along its
+normals, its faces cover the mesh without folds and gaps. If this fails, the mesh itself is used.
+
 \tparam TriangleMesh a model of `HalfedgeListGraph` and `FaceListGraph`
 \tparam BoundaryCurveNetwork an instance of `Boundary_curve_network_3`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -116,12 +168,18 @@ singularities are split.
 \cgalNamedParamsBegin
   \cgalParamNBegin{quad_size_map}
     \cgalParamDescription{the wanted edge length of the quads, in model units}
-    \cgalParamType{a number, or a class model of `ReadablePropertyMap` with
-                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a number
-                    type as value type}
+    \cgalParamType{a number, a function object that returns a number for a
+                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor`, or a class model of
+                    `ReadablePropertyMap` with this as key type and a number type as value type}
     \cgalParamDefault{the larger of `D / 40` and twice the mean edge length, where `D` is
                        `smallest_enclosing_sphere_diameter(tm)`}
     \cgalParamExtra{sizes are reduced where they grow faster than by half of the distance}
+  \cgalParamNEnd
+  \cgalParamNBegin{use_proxy_mesh}
+    \cgalParamDescription{whether to try to compute the field on a proxy of the mesh}
+    \cgalParamType{Boolean}
+    \cgalParamDefault{`true` if the mesh has at least 1.5 times as many faces as the proxy would
+                       have, or if more than one percent of its triangles are badly shaped}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_point_map}
     \cgalParamDescription{a property map associating points to the vertices of `tm`}
@@ -156,21 +214,13 @@ Error_code compute_cross_field(const TriangleMesh& tm, const BoundaryCurveNetwor
   if(code != Error_code::OK)
     return code;
 
-  const double quads_per_diameter = 40, edges_per_quad = 2, gradation = 0.5;
-  const double default_size
-    = (std::max)(CGAL::to_double(network.diameter()) / quads_per_diameter,
-                 edges_per_quad * internal::mean_edge_length(field.mesh));
-  const auto size = get_parameter(np, internal_np::quad_size_map);
-  for(const auto v : vertex)
-  {
-    field.size.push_back(internal::quad_size_at(size, v, default_size));
-    if(!(field.size.back() > 0) || !std::isfinite(field.size.back()))
-      return Error_code::INVALID_PARAMETER;
-  }
-  // vertices that split ears: the gradation gives them the size of their neighbours
-  const double largest = *std::max_element(field.size.begin(), field.size.end());
-  field.size.resize(field.mesh.number_of_vertices(), largest);
-  internal::limit_gradation(field.mesh, gradation, field.size);
+  if(!internal::compute_quad_sizes(field.mesh, vertex, get_parameter(np, internal_np::quad_size_map),
+                                   CGAL::to_double(network.diameter()), field.size))
+    return Error_code::INVALID_PARAMETER;
+  const std::vector<char> is_joint = internal::find_curve_joints(field.mesh, network);
+  if(internal::build_cross_field_on_proxy(field, is_joint,
+                                          get_parameter(np, internal_np::use_proxy_mesh)))
+    return Error_code::OK;
   return internal::build_cross_field(field);
 }
 

@@ -50,6 +50,7 @@ Error_code compute_integer_grid_map(const Cross_field& field, Integer_grid_map& 
 {
   CGAL_USE(np);
   map = Integer_grid_map();
+  map.proxy = field.proxy;
   internal::Seamless_map seamless;
   const Error_code code = internal::compute_seamless_map(field, seamless);
   if(code != Error_code::OK)

@@ -73,9 +73,49 @@ inline void write_JSON_counts(JSON_writer& json, const Conversion_report& report
   json.open("smoothness", '{');
   json.member("max_normal_angle_degrees", report.smoothness.max_normal_angle_degrees);
   json.close('}');
+}
+
+inline void write_JSON_map(JSON_writer& json, const Conversion_report::Map& map)
+{
   json.open("map", '{');
-  json.member("flipped_triangles", report.map.flipped_triangles);
-  json.member("fallback", report.map.fallback);
+  json.member("flipped_triangles", map.flipped_triangles);
+  json.member("fallback", map.fallback);
+  json.member("extraordinary_points", map.extraordinary_points);
+  json.member("min_scaled_jacobian", map.min_scaled_jacobian);
+  json.member("mean_angle_deviation_degrees", map.mean_angle_deviation_degrees);
+  json.member("max_angle_deviation_degrees", map.max_angle_deviation_degrees);
+  json.member("min_size_ratio", map.min_size_ratio);
+  json.member("mean_size_ratio", map.mean_size_ratio);
+  json.member("max_size_ratio", map.max_size_ratio);
+  json.member("relative_number_of_quads", map.relative_number_of_quads);
+  json.member("mean_singular_value_ratio", map.mean_singular_value_ratio);
+  json.member("max_singular_value_ratio", map.max_singular_value_ratio);
+  json.member("mean_area_ratio", map.mean_area_ratio);
+  json.member("max_area_ratio", map.max_area_ratio);
+  json.member("mean_kink_degrees", map.mean_kink_degrees);
+  json.member("max_kink_degrees", map.max_kink_degrees);
+  json.close('}');
+}
+
+inline void write_JSON_stitching(JSON_writer& json, const Stitching_report& stitching)
+{
+  if(stitching.method == Stitching_report().method)
+    return;
+  json.open("stitching", '{');
+  json.member("method", stitching.method);
+  json.member("solids", stitching.solids);
+  json.member("shells", stitching.shells);
+  json.member("faces", stitching.faces);
+  json.member("free_edges", stitching.free_edges);
+  json.member("unmatched_edges", stitching.unmatched_edges);
+  json.member("multiple_edges", stitching.multiple_edges);
+  json.member("is_valid", std::size_t(stitching.is_valid));
+  json.member("edge_distance_mm", stitching.edge_distance);
+  json.member("edge_deviation_mm", stitching.edge_deviation);
+  json.member("edge_tolerance_mm", stitching.edge_tolerance);
+  json.member("vertex_tolerance_mm", stitching.vertex_tolerance);
+  json.member("residual_tolerance_mm", stitching.residual_tolerance);
+  json.member("volume_mm3", stitching.volume);
   json.close('}');
 }
 
@@ -124,6 +164,7 @@ numbers that were not measured are written as `null`. The members are
 - `input`, `xi`, `delta`, `quad_size`, `boundary`, `interior`, `counts`, `smoothness`, `map`,
   `iterations`, `stages`, `peak_memory_bytes`: the members of
   `Surface_mesh_spline_conversion::Conversion_report`; `xi` and `delta` are the two tolerances
+- `stitching`, if the surface was stitched with a B-Rep: `Stitching_report`, in millimetres
 
 \returns `true` if the stream is good after writing
 */
@@ -139,6 +180,8 @@ inline bool write_JSON(std::ostream& out,
   SC::internal::write_JSON_input(json, report);
   SC::internal::write_JSON_deviations(json, report);
   SC::internal::write_JSON_counts(json, report);
+  SC::internal::write_JSON_map(json, report.map);
+  SC::internal::write_JSON_stitching(json, report.stitching);
   SC::internal::write_JSON_course(json, report);
   json.close('}');
   return out.good();
