@@ -331,8 +331,9 @@ public:
 
   /// halves the knot intervals of the boundary that overlap the given spans, and what has to be
   /// refined with them to have a sound surface: patches stay whole, only control points are
-  /// added along the boundary; neighboring intervals differ at most by a factor of two; and extensions of T-junctions do not cross,
-  /// therefore the basis functions are linearly independent and sum up to one.
+  /// added along the boundary; neighboring intervals differ at most by a factor of two; and
+  /// extensions of T-junctions do not cross, therefore the basis functions are linearly independent
+  /// and sum up to one.
   void refine_boundary(const std::vector<Boundary_span>& spans);
 
   /// @}
