@@ -94,21 +94,19 @@ bool build_cross_field_on_proxy(Cross_field& field, const std::vector<char>& is_
                                 const Choice& choice)
 {
   const auto original = std::make_shared<const Working_mesh>(field.mesh);
-  const std::vector<double> size = field.size;
-  Proxy_builder builder(original, size, is_kept);
+  Proxy_builder builder(original, field.size, is_kept);
   const auto proxy = std::make_shared<Proxy_mesh>();
   if(!is_proxy_wanted(builder, choice) || !builder.build(*proxy))
     return false;
-  field = Cross_field();
-  field.mesh = proxy->mesh;
-  field.size = proxy->size;
-  field.proxy = proxy;
-  if(build_cross_field(field) == Error_code::OK)
-    return true;
-  field = Cross_field();
-  field.mesh = *original;
-  field.size = size;
-  return false;
+  Cross_field on_proxy;
+  on_proxy.spacing = field.spacing;
+  on_proxy.mesh = proxy->mesh;
+  on_proxy.size = proxy->size;
+  on_proxy.proxy = proxy;
+  if(build_cross_field(on_proxy) != Error_code::OK)
+    return false;
+  field = std::move(on_proxy);
+  return true;
 }
 
 // The wanted quad sizes at the vertices of the working mesh, of which the first ones are those of
@@ -132,6 +130,34 @@ bool compute_quad_sizes(const Working_mesh& mesh, const std::vector<VertexDescri
   size.resize(mesh.number_of_vertices(), largest);
   limit_gradation(mesh, gradation, size);
   return true;
+}
+
+// See below; for the spacing, `Cross_field`.
+template <typename TriangleMesh, typename BoundaryCurveNetwork, typename NamedParameters>
+Error_code compute_cross_field(const TriangleMesh& tm, const BoundaryCurveNetwork& network,
+                               double spacing, Cross_field& field, const NamedParameters& np)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+
+  if(network.error() != Error_code::OK)
+    return network.error();
+  const auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
+                                    get_const_property_map(vertex_point, tm));
+  field = Cross_field();
+  field.spacing = spacing;
+  std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> vertex;
+  const Error_code code = make_working_mesh(tm, network, vpm, field.mesh, vertex);
+  if(code != Error_code::OK)
+    return code;
+
+  if(!compute_quad_sizes(field.mesh, vertex, get_parameter(np, internal_np::quad_size_map),
+                         CGAL::to_double(network.diameter()), field.size))
+    return Error_code::INVALID_PARAMETER;
+  if(build_cross_field_on_proxy(field, find_curve_joints(field.mesh, network),
+                                get_parameter(np, internal_np::use_proxy_mesh)))
+    return Error_code::OK;
+  return build_cross_field(field);
 }
 
 } // namespace internal
@@ -201,27 +227,7 @@ Error_code compute_cross_field(const TriangleMesh& tm, const BoundaryCurveNetwor
                                Cross_field& field,
                                const NamedParameters& np = parameters::default_values())
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-
-  if(network.error() != Error_code::OK)
-    return network.error();
-  const auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
-                                    get_const_property_map(vertex_point, tm));
-  field = Cross_field();
-  std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> vertex;
-  const Error_code code = internal::make_working_mesh(tm, network, vpm, field.mesh, vertex);
-  if(code != Error_code::OK)
-    return code;
-
-  if(!internal::compute_quad_sizes(field.mesh, vertex, get_parameter(np, internal_np::quad_size_map),
-                                   CGAL::to_double(network.diameter()), field.size))
-    return Error_code::INVALID_PARAMETER;
-  const std::vector<char> is_joint = internal::find_curve_joints(field.mesh, network);
-  if(internal::build_cross_field_on_proxy(field, is_joint,
-                                          get_parameter(np, internal_np::use_proxy_mesh)))
-    return Error_code::OK;
-  return internal::build_cross_field(field);
+  return internal::compute_cross_field(tm, network, 1, field, np);
 }
 
 } // namespace Surface_mesh_spline_conversion
