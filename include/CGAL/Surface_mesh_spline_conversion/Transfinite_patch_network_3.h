@@ -13,6 +13,7 @@
 
 #include <CGAL/Surface_mesh_spline_conversion/Boundary_curve_network_3.h>
 #include <CGAL/Surface_mesh_spline_conversion/Quad_layout.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/named_parameters.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/patches/Layout_boundary.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/patches/Mesh_projection.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/patches/quad_sides.h>
@@ -73,7 +74,7 @@ public:
   \param layout a quad layout of `tm` with an inverse map
   \param network the boundary curves of `tm`; it has no chain if `tm` is closed
   \param tm the mesh
-  \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the one below
+  \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones below
 
   \cgalNamedParamsBegin
     \cgalParamNBegin{vertex_point_map}
@@ -83,6 +84,13 @@ public:
                      `GeomTraits::Point_3` as value type}
       \cgalParamDefault{`boost::get(CGAL::vertex_point, tm)`}
     \cgalParamNEnd
+    \cgalParamNBegin{use_smooth_correspondence}
+      \cgalParamDescription{whether the vertices of the layout slide along the curves so that the
+                             arc length is a smooth function of the parameter; otherwise it is
+                             linear along each quad side, as in the paper}
+      \cgalParamType{`bool`}
+      \cgalParamDefault{`true`}
+    \cgalParamNEnd
   \cgalNamedParamsEnd
 
   \pre every boundary side of the layout names a chain of the network
@@ -90,7 +98,10 @@ public:
   template <typename NamedParameters = parameters::Default_named_parameters>
   Transfinite_patch_network_3(const Layout& layout, const Network& network, const TriangleMesh& tm,
                               const NamedParameters& np = parameters::default_values())
-    : m_layout(layout), m_network(network), m_boundary(layout, tm, network)
+    : m_layout(layout), m_network(network),
+      m_boundary(layout, tm, network,
+                 parameters::choose_parameter(
+                   parameters::get_parameter(np, internal_np::use_smooth_correspondence), true))
   {
     using parameters::choose_parameter;
     using parameters::get_parameter;

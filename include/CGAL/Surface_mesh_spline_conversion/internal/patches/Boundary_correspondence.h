@@ -25,7 +25,7 @@ namespace internal {
 
 // The arc length s(x) of a boundary chain as a function of its parameter x, which runs by one
 // along each quad side: a monotone piecewise cubic polynomial given by values and slopes at the
-// integers. On a closed chain s(x + number of sides) = s(x) + length.
+// integers, or a piecewise linear one. On a closed chain s(x + number of sides) = s(x) + length.
 class Boundary_correspondence
 {
 public:
@@ -38,6 +38,14 @@ public:
     : m_values(std::move(values)), m_slopes(std::move(slopes)), m_is_closed(is_closed)
   {
     CGAL_precondition(m_values.size() >= 2 && m_values.size() == m_slopes.size());
+  }
+
+  // the correspondence that is linear between the values, as in section 2.2 of the paper; at the
+  // integers, its derivative is that from the right
+  Boundary_correspondence(std::vector<double> values, bool is_closed)
+    : m_values(std::move(values)), m_is_closed(is_closed)
+  {
+    CGAL_precondition(m_values.size() >= 2);
   }
 
   size_type number_of_sides() const { return m_values.size() - 1; }
@@ -53,7 +61,8 @@ public:
     x = (std::min)((std::max)(x - turn * n, 0.), n);
     const size_type k = (std::min)(static_cast<size_type>(x), number_of_sides() - 1);
     const double t = x - static_cast<double>(k);
-    const double d = m_values[k + 1] - m_values[k], a = m_slopes[k], b = m_slopes[k + 1];
+    const double d = m_values[k + 1] - m_values[k];
+    const double a = begin_slope(k), b = end_slope(k);
     // the interpolant is value + t (a + t (c2 + t c3))
     const double c2 = 3 * d - 2 * a - b, c3 = a + b - 2 * d;
     if(order == 1)
@@ -72,7 +81,7 @@ public:
   double smallest_slope(size_type k) const
   {
     // Bernstein coefficients of the derivative, a quadratic polynomial
-    const double b0 = m_slopes[k], b2 = m_slopes[k + 1];
+    const double b0 = begin_slope(k), b2 = end_slope(k);
     const double b1 = 3 * (m_values[k + 1] - m_values[k]) - b0 - b2;
     if(b1 >= b0 || b1 >= b2)
       return (std::min)(b0, b2);
@@ -80,7 +89,18 @@ public:
   }
 
 private:
-  std::vector<double> m_values, m_slopes;
+  double begin_slope(size_type k) const
+  {
+    return m_slopes.empty() ? m_values[k + 1] - m_values[k] : m_slopes[k];
+  }
+
+  double end_slope(size_type k) const
+  {
+    return m_slopes.empty() ? m_values[k + 1] - m_values[k] : m_slopes[k + 1];
+  }
+
+  std::vector<double> m_values;
+  std::vector<double> m_slopes; // empty: linear
   bool m_is_closed = false;
 };
 

@@ -31,8 +31,9 @@ namespace CGAL {
 namespace Surface_mesh_spline_conversion {
 namespace internal {
 
-// The boundary of a layout: for each chain the smooth correspondence s(x), and the slide sigma(x),
-// by which it moves points of the boundary against the inverse map of the layout.
+// The boundary of a layout: for each chain the correspondence s(x), smooth or linear on each side of
+// a quad, and the slide sigma(x), by which it moves points of the boundary against the inverse map
+// of the layout.
 template <typename GeomTraits>
 class Layout_boundary
 {
@@ -51,8 +52,9 @@ public:
   typedef std::array<Quad_side, 4> Quad_sides;
 
   template <typename TriangleMesh, typename Network>
-  Layout_boundary(const Layout& layout, const TriangleMesh& tm, const Network& network)
-    : m_boundary_quad(layout.number_of_quads(), Layout::null)
+  Layout_boundary(const Layout& layout, const TriangleMesh& tm, const Network& network,
+                  bool is_smooth)
+    : m_is_smooth(is_smooth), m_boundary_quad(layout.number_of_quads(), Layout::null)
   {
     collect_sides(layout, static_cast<size_type>(network.number_of_chains()));
     const Boundary_location<TriangleMesh, Network> location(tm, network);
@@ -154,7 +156,9 @@ private:
     c.arc_lengths.push_back(begin + length);
     make_increasing(c.arc_lengths);
     is_fixed.push_back(false);
-    c.correspondence = Correspondence_smoother(c.arc_lengths, is_fixed, is_closed)();
+    c.correspondence = m_is_smooth
+      ? Correspondence_smoother(c.arc_lengths, is_fixed, is_closed)()
+      : Boundary_correspondence(c.arc_lengths, is_closed);
     for(size_type k = 0; k < c.sides.size(); ++k)
       c.tables.push_back(make_table(layout, chain, k, length, location));
   }
@@ -232,6 +236,7 @@ private:
     return (double(i) + (s - table[i]) / (table[i + 1] - table[i])) / double(intervals_per_side);
   }
 
+  bool m_is_smooth;
   std::vector<Chain> m_chains;
   std::vector<size_type> m_boundary_quad; // position in m_quad_sides
   std::vector<Quad_sides> m_quad_sides;
