@@ -50,15 +50,52 @@ void check_vertices(const CGAL::T_NURCC_surface_3<K>& surface, const Shell& shel
   }
 }
 
+// Above a corner between two quads, moves the control point that gives the direction of the line
+// between them, such that it lies in the plane of the tangents of the boundary.
+void straighten_corners(const Quad_layout& layout, CGAL::T_NURCC_surface_3<K>& surface)
+{
+  static const int u[4] = {0, 1, 1, 0}, v[4] = {0, 0, 1, 1};
+  auto derivative = [&surface](std::size_t q, int at, int to)
+  {
+    const std::size_t patch = surface.patch_at(q, u[at & 3], v[at & 3]);
+    return (u[to & 3] - u[at & 3]) * surface.derivative(patch, u[at & 3], v[at & 3], 1, 0)
+         + (v[to & 3] - v[at & 3]) * surface.derivative(patch, u[at & 3], v[at & 3], 0, 1);
+  };
+  for(std::size_t q = 0; q < layout.number_of_quads(); ++q)
+    for(int i = 0; i < 4; ++i)
+    {
+      const int at = (i + 1) & 3; // the corner
+      if(!layout.is_border(q, i) || !layout.is_corner(layout.vertex(q, at)) || layout.is_border(q, at))
+        continue;
+      const auto other = layout.neighbor(q, at);
+      const K::Vector_3 direction = derivative(q, at, i)
+                                  + derivative(other.first, other.second + 1, other.second + 2);
+      std::vector<CGAL::T_NURCC_surface_3<K>::Basis_function> functions;
+      surface.basis(surface.patch_at(q, u[at], v[at]), u[at], v[at], 1, functions);
+      for(const auto& f : functions)
+      {
+        const int next = (at + 1) & 3;
+        const double inwards = (u[next] - u[at]) * f.value[1] + (v[next] - v[at]) * f.value[2];
+        const Point_3 corner = layout.point(layout.vertex(q, at));
+        const Point_3 p = surface.control_point(f.control_point);
+        if(inwards > 1e-9 && (p - corner).squared_length() > 0)
+          surface.set_control_point(f.control_point, corner + direction * std::sqrt(
+            (p - corner).squared_length() / direction.squared_length()));
+      }
+    }
+}
+
 // a negative number of border edges stands for any
 void test(const std::string& name, const Quad_layout& layout, long euler_characteristic,
-          long number_of_border_edges, bool is_smooth, int number_of_refinements = 0)
+          long number_of_border_edges, std::size_t number_of_creases = 0,
+          int number_of_refinements = 0)
 {
   CGAL::T_NURCC_surface_3<K> surface(layout);
   assert(surface.error() == SMSC::Error_code::OK);
   for(int i = 0; i < number_of_refinements; ++i)
     surface.refine_boundary({{0, 0, std::ldexp(1., -i)}});
   assert(number_of_refinements == 0 || surface.number_of_t_junctions() > 0);
+  straighten_corners(layout, surface);
   std::size_t faces = 0;
   for(bool merge : {false, true})
   {
@@ -68,10 +105,12 @@ void test(const std::string& name, const Quad_layout& layout, long euler_charact
     const Shell_checks<K> checks(shell);
     std::cout << name << ": " << surface.number_of_patches() << " patches, "
               << shell.number_of_faces() << " faces, caps deviate " << statistics.deviation
+              << ", " << statistics.number_of_creases << " creases " << statistics.crease_deviation
               << ", gap " << checks.largest_gap << ", angle " << checks.largest_angle << std::endl;
     assert(checks.euler_characteristic == euler_characteristic);
     assert(checks.largest_gap < 1e-13 * RADIUS);
-    assert(!is_smooth || checks.largest_angle < 1e-8);
+    assert(checks.largest_angle < 1e-8);
+    assert(statistics.number_of_creases == number_of_creases);
     assert(statistics.number_of_caps == surface.number_of_extraordinary_points());
     assert(statistics.number_of_sharp_caps == 0);
     assert(!merge || number_of_border_edges < 0
@@ -140,18 +179,20 @@ void test_obj()
 
 int main()
 {
-  test("sphere 1", block_layout<K>(cube_blocks(false), 1, on_sphere), 2, 0, true);
-  test("sphere 3", block_layout<K>(cube_blocks(false), 3, on_sphere), 2, 0, true);
-  test("cup 1", block_layout<K>(cube_blocks(true), 1, on_sphere), 1, 2, true);
-  test("cup 2", block_layout<K>(cube_blocks(true), 2, on_sphere), 1, 2, true);
+  test("sphere 1", block_layout<K>(cube_blocks(false), 1, on_sphere), 2, 0);
+  test("sphere 3", block_layout<K>(cube_blocks(false), 3, on_sphere), 2, 0);
+  test("cup 1", block_layout<K>(cube_blocks(true), 1, on_sphere), 1, 2);
+  test("cup 2", block_layout<K>(cube_blocks(true), 2, on_sphere), 1, 2);
   auto is_corner = [](const Point_3& p)
   { return p.z() > 0 && std::abs(std::abs(p.x()) - std::abs(p.y())) < 1e-9; };
-  test("cup with corners", block_layout<K>(cube_blocks(true), 4, on_sphere, is_corner), 1, 5, false);
+  for(int m : {1, 2, 3, 4}) // extraordinary points at this distance from each other and the corners
+    test("cup with corners " + std::to_string(m),
+         block_layout<K>(cube_blocks(true), m, on_sphere, is_corner), 1, -1, 4);
   for(int n : {3, 5, 6, 7, 8})
     test("polygon " + std::to_string(n),
-         block_layout<K>(polygon_blocks(n), (n < 7) ? 1 : 2, on_hill), 1, 2 * n, true);
-  test("refined polygon 5", block_layout<K>(polygon_blocks(5), 3, on_hill), 1, -1, true, 3);
-  test("refined cup", block_layout<K>(cube_blocks(true), 4, on_sphere), 1, -1, true, 3);
+         block_layout<K>(polygon_blocks(n), (n < 7) ? 1 : 2, on_hill), 1, 2 * n);
+  test("refined polygon 5", block_layout<K>(polygon_blocks(5), 3, on_hill), 1, -1, 0, 3);
+  test("refined cup", block_layout<K>(cube_blocks(true), 4, on_sphere), 1, -1, 0, 3);
   test_boundary_vertices();
   test_obj();
   return 0;

@@ -57,6 +57,8 @@ struct Cross_field
   std::vector<int> period_jump;       ///< per halfedge: matching of the directions
   std::vector<int> quarter_turns;     ///< per vertex: number of right angles
   std::vector<double> size;           ///< per vertex: wanted edge length of the quads
+  double spacing = 1;                 ///< distances between singularities, and from them to the
+                                      ///< boundary, are those for quads of `size` times this factor
 };
 
 } // namespace Surface_mesh_spline_conversion

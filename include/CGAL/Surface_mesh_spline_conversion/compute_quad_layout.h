@@ -18,18 +18,157 @@
 #include <CGAL/Surface_mesh_spline_conversion/compute_cross_field.h>
 #include <CGAL/Surface_mesh_spline_conversion/compute_integer_grid_map.h>
 #include <CGAL/Surface_mesh_spline_conversion/extract_quad_layout.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/layout/Padded_triangulation.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/map/make_working_mesh.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/named_parameters.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/run_stage.h>
 #include <CGAL/Surface_mesh_spline_conversion/measure_layout_quality.h>
 
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <vector>
+
 namespace CGAL {
 namespace Surface_mesh_spline_conversion {
+
+namespace internal {
+
+// The layout of last resort, which every mesh has: see `Padded_triangulation`.
+template <typename TriangleMesh, typename BoundaryCurveNetwork, typename GeomTraits,
+          typename NamedParameters>
+Error_code compute_padded_layout(const TriangleMesh& tm, const BoundaryCurveNetwork& network,
+                                 Quad_layout<GeomTraits>& layout, const NamedParameters& np)
+{
+  const auto vpm = parameters::choose_parameter(
+    parameters::get_parameter(np, internal_np::vertex_point),
+    get_const_property_map(vertex_point, tm));
+  Working_mesh mesh;
+  std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> vertex;
+  const Error_code code = make_working_mesh(tm, network, vpm, mesh, vertex);
+  if(code != Error_code::OK)
+    return code;
+  if(!make_simplicial(mesh))
+    return Error_code::NO_QUAD_LAYOUT;
+  split_ears(mesh);
+  std::vector<double> size;
+  if(!compute_quad_sizes(mesh, vertex, parameters::get_parameter(np, internal_np::quad_size_map),
+                         CGAL::to_double(network.diameter()), size))
+    return Error_code::INVALID_PARAMETER;
+  set_layout(Padded_triangulation(mesh, size), mesh, face_corners(tm, vpm), layout);
+  return Error_code::OK;
+}
+
+// `true` if a stage before the layout failed for reasons that need not be those of the input
+inline bool has_no_map(Error_code code)
+{
+  return code == Error_code::NO_SEAMLESS_MAP || code == Error_code::NO_QUAD_LAYOUT
+         || code == Error_code::SINGULAR_SYSTEM || code == Error_code::DEGENERATE_MESH;
+}
+
+// One rung of the ladder of attempts to find a map: see `Cross_field` for the spacing.
+struct Map_attempt
+{
+  double spacing;
+  int most_repairs;
+};
+
+// What to try after a first attempt with `field`. Quads larger than the features of the shape
+// (handles, small loops, thin walls) would spread singularities over these: halving the spacing
+// lets them stay where the shape wants them. It ends at twice the edges of the mesh.
+inline void append_attempts(const Cross_field& field, std::vector<Map_attempt>& attempts)
+{
+  if(field.size.size() != field.mesh.points.size() || field.size.empty())
+    return;
+  const double smallest_spacing = 0.125, edges_per_spacing = 2;
+  const double size = *std::min_element(field.size.begin(), field.size.end());
+  const double edge = mean_edge_length(field.mesh);
+  double spacing = attempts.front().spacing;
+  while(spacing > smallest_spacing && spacing * size / 2 >= edges_per_spacing * edge)
+  {
+    spacing /= 2;
+    attempts.push_back(Map_attempt{spacing, 0});
+  }
+  attempts.push_back(Map_attempt{spacing, number_of_rungs});
+}
+
+inline std::string describe(const Map_attempt& attempt, const Integer_grid_map& map)
+{
+  std::string text;
+  const auto add = [&text](const std::string& part) { text += (text.empty() ? "" : "; ") + part; };
+  if(attempt.spacing < 1)
+    add("spacing of singularities divided by " + std::to_string(std::lround(1 / attempt.spacing)));
+  if(map.map.repairs > 0)
+    add("repairs: " + std::to_string(map.map.repairs));
+  if(!map.is_resolved)
+    add("rectangle composition: " + map.message);
+  return text.empty() ? "none" : text;
+}
+
+// Field and map, by the first attempt that succeeds.
+template <typename TriangleMesh, typename BoundaryCurveNetwork, typename Visitor,
+          typename NamedParameters>
+Error_code compute_field_and_map(const TriangleMesh& tm, const BoundaryCurveNetwork& network,
+                                 Cross_field& field, Integer_grid_map& map,
+                                 Conversion_report& report, Visitor& visitor,
+                                 const NamedParameters& np)
+{
+  const std::string message = report.message;
+  const int few_repairs = 1;
+  std::vector<Map_attempt> attempts(1, Map_attempt{1, few_repairs});
+  Error_code code = Error_code::NO_SEAMLESS_MAP;
+  for(std::size_t i = 0; i < attempts.size() && has_no_map(code); ++i)
+  {
+    const Map_attempt attempt = attempts[i];
+    report.message = message;
+    code = run_stage("cross_field", visitor, report, [&]()
+      { return compute_cross_field(tm, network, attempt.spacing, field, np); });
+    if(i == 0)
+      append_attempts(field, attempts);
+    if(code == Error_code::OK)
+      code = run_stage("integer_grid_map", visitor, report, [&]()
+        { return compute_integer_grid_map(field, attempt.most_repairs, map); });
+    if(code == Error_code::OK)
+      report.map.fallback = describe(attempt, map);
+    else if(has_no_map(code) && !map.message.empty())
+      report.message = map.message;
+  }
+  return code;
+}
+
+// the quads of an integer grid map
+template <typename TriangleMesh, typename BoundaryCurveNetwork, typename GeomTraits,
+          typename Visitor, typename NamedParameters>
+Error_code compute_mapped_layout(const TriangleMesh& tm, const BoundaryCurveNetwork& network,
+                                 Quad_layout<GeomTraits>& layout, Conversion_report& report,
+                                 Visitor& visitor, const NamedParameters& np)
+{
+  Cross_field field;
+  Integer_grid_map map;
+  const Error_code code = compute_field_and_map(tm, network, field, map, report, visitor, np);
+  if(code != Error_code::OK)
+    return code;
+  return run_stage("quad_layout", visitor, report, [&]()
+    { return extract_quad_layout(map, tm, network, layout, np); });
+}
+
+} // namespace internal
 
 /*!
 \ingroup PkgSurfaceMeshSplineConversionRef
 
 computes a quad layout of a triangle mesh: a cross field, an integer grid map that follows it, and
 the quads of this map.
+
+Where the map fails, singularities are moved, and quads that are larger than the features of the
+shape are given singularities at smaller distances. What cannot fail comes last: the mesh is coarsened, a ring of quads is laid along each boundary
+loop, and each triangle in between is divided into three quads. Such a layout is valid, but has many
+extraordinary points; its corners are regular vertices even where the boundary is convex.
+`Conversion_report::Map::fallback` says which of these was needed.
 
 \tparam TriangleMesh a model of `HalfedgeListGraph` and `FaceListGraph`
 \tparam BoundaryCurveNetwork an instance of `Boundary_curve_network_3`
@@ -52,7 +191,8 @@ the quads of this map.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return `Error_code::OK`, or that of the stage that failed
+\return `Error_code::OK`, the error of the network if it has one, `Error_code::INVALID_PARAMETER`,
+        `Error_code::INTERRUPTED`, or what is wrong with the mesh
 
 \pre `network` has been created from `tm`
 
@@ -73,20 +213,17 @@ Error_code compute_quad_layout(const TriangleMesh& tm, const BoundaryCurveNetwor
   Default_visitor default_visitor;
   typename Lookup_visitor::reference visitor = parameters::choose_parameter(
     parameters::get_parameter_reference(np, internal_np::visitor), default_visitor);
-  Cross_field field;
-  Integer_grid_map map;
-  Error_code code = internal::run_stage("cross_field", visitor, report, [&]()
-    { return compute_cross_field(tm, network, field, np); });
-  if(code == Error_code::OK)
-    code = internal::run_stage("integer_grid_map", visitor, report, [&]()
-      { return compute_integer_grid_map(field, map, np); });
-  if(code != Error_code::OK && !map.message.empty())
-    report.message = map.message;
-  else if(code == Error_code::OK && !map.is_resolved)
-    report.map.fallback = "rectangle composition: " + map.message;
-  if(code == Error_code::OK)
-    code = internal::run_stage("quad_layout", visitor, report, [&]()
-      { return extract_quad_layout(map, tm, network, layout, np); });
+  const std::string message = report.message;
+  Error_code code = internal::compute_mapped_layout(tm, network, layout, report, visitor, np);
+  if(internal::has_no_map(code))
+  {
+    const std::string reason = report.message;
+    report.message = message;
+    code = internal::run_stage("padded_layout", visitor, report, [&]()
+      { return internal::compute_padded_layout(tm, network, layout, np); });
+    if(code == Error_code::OK)
+      report.map.fallback = "divided triangles: " + reason;
+  }
   report.counts.layout_quads = layout.number_of_quads();
   if(code == Error_code::OK)
     measure_layout_quality(layout, tm, report.map, np);

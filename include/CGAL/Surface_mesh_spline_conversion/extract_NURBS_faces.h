@@ -55,6 +55,8 @@ struct Cap_statistics
   std::size_t number_of_caps = 0;       ///< one for each extraordinary point
   std::size_t number_of_sharp_caps = 0; ///< caps that are tangent continuous only approximately
   FT deviation = 0;                     ///< largest distance from the surface, along its normals
+  std::size_t number_of_creases = 0;    ///< lines above corners with tangent continuous faces
+  FT crease_deviation = 0;              ///< largest distance of these faces from the surface
 };
 
 namespace internal {
@@ -167,6 +169,8 @@ extract_NURBS_faces(const T_NURCC_surface_3<K>& surface, NURBS_shell_3<K>& shell
   statistics.number_of_caps = result.number_of_caps;
   statistics.number_of_sharp_caps = result.number_of_sharp_caps;
   statistics.deviation = result.cap_deviation;
+  statistics.number_of_creases = result.number_of_creases;
+  statistics.crease_deviation = result.crease_deviation;
   return statistics;
 }
 

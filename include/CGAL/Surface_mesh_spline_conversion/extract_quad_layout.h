@@ -106,6 +106,30 @@ void set_points(const Quad_grid& grid, const Working_mesh& mesh, int n,
     }
 }
 
+// The layout of quads together with their inverse map; the first `n` vertices of the mesh have exact
+// points.
+template <typename GeomTraits>
+void set_layout(const Quad_grid& grid, const Working_mesh& mesh, int n,
+                std::shared_ptr<const typename Quad_layout<GeomTraits>::Inverse_map> inverse_map,
+                Quad_layout<GeomTraits>& layout)
+{
+  layout = make_layout<GeomTraits>(grid, mesh);
+  layout.set_inverse_map(std::move(inverse_map));
+  set_points(grid, mesh, n, layout);
+}
+
+// The layout of quads that are found on a refinement of the input itself.
+template <typename Quads, typename GeomTraits>
+void set_layout(Quads quads, const Working_mesh& mesh,
+                const std::vector<std::array<Eigen::Vector3d, 3> >& input_faces,
+                Quad_layout<GeomTraits>& layout)
+{
+  const Quad_grid grid = quads.quads();
+  set_layout(grid, mesh, mesh.number_of_vertices(),
+             std::make_shared<const Layout_inverse_map<GeomTraits, Quads> >(std::move(quads), mesh,
+                                                                            input_faces), layout);
+}
+
 } // namespace internal
 
 /*!
@@ -165,20 +189,17 @@ Error_code extract_quad_layout(const Integer_grid_map& map, const TriangleMesh& 
     return Error_code::NO_QUAD_LAYOUT;
   const auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
                                     get_const_property_map(vertex_point, tm));
-  const internal::Quad_grid grid = quads.quads();
   const internal::Working_mesh& mesh = map.map.mesh;
-  layout = internal::make_layout<GeomTraits>(grid, mesh);
-  int vertices_on_input = mesh.number_of_vertices();
-  if(map.proxy)
+  const auto corners = internal::face_corners(tm, vpm);
+  if(!map.proxy)
   {
-    layout.set_inverse_map(std::make_shared<const internal::Proxy_inverse_map<GeomTraits> >(
-      std::move(quads), mesh, map.proxy, internal::face_corners(tm, vpm)));
-    vertices_on_input = map.proxy->mesh.number_of_vertices();
+    internal::set_layout(std::move(quads), mesh, corners, layout);
+    return Error_code::OK;
   }
-  else
-    layout.set_inverse_map(std::make_shared<const internal::Layout_inverse_map<GeomTraits> >(
-      std::move(quads), mesh, internal::face_corners(tm, vpm)));
-  internal::set_points(grid, mesh, vertices_on_input, layout);
+  const internal::Quad_grid grid = quads.quads();
+  internal::set_layout(grid, mesh, map.proxy->mesh.number_of_vertices(),
+                       std::make_shared<const internal::Proxy_inverse_map<GeomTraits> >(
+                         std::move(quads), mesh, map.proxy, corners), layout);
   return Error_code::OK;
 }
 

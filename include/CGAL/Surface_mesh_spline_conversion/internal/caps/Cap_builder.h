@@ -104,6 +104,15 @@ public:
     return m_caps;
   }
 
+  /// do caps and creases overlap?
+  bool covers_crease() const
+  {
+    for(std::size_t c = 0; c < m_is_covered.size(); ++c)
+      if(m_is_covered[c] > 0 && m_complex.cells()[c].crease != NO_INDEX)
+        return true;
+    return false;
+  }
+
   /// the cells that remain, and those of the caps
   std::vector<Cell> cells(const std::vector<Cap>& caps) const
   {
@@ -121,7 +130,13 @@ public:
       for(std::size_t k = 0; k < caps[i].sectors.size(); ++k)
       {
         const Cap_sector& sector = caps[i].sectors[k];
-        result.push_back({sector.quad, sector.rectangle, Bicubic(), sector.patch, i, k});
+        Cell cell;
+        cell.quad = sector.quad;
+        cell.rectangle = sector.rectangle;
+        cell.patch = sector.patch;
+        cell.cap = i;
+        cell.sector = k;
+        result.push_back(cell);
       }
     return result;
   }
@@ -244,7 +259,8 @@ private:
     for(const Cap_sector& sector : cap.sectors)
     {
       for(std::size_t c : m_cells_of_quad[sector.quad])
-        if(contains(sector.rectangle, m_complex.cells()[c].rectangle) && m_is_covered[c] > 1)
+        if(contains(sector.rectangle, m_complex.cells()[c].rectangle)
+           && (m_is_covered[c] > 1 || m_complex.cells()[c].crease != NO_INDEX))
           return false;
       for(int side = 0; side < 2; ++side)
         if(!neighbor(sector, side).is_single)

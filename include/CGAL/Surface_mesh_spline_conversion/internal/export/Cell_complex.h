@@ -64,6 +64,15 @@ struct Tick_frame
             {{(std::max)(a[0], b[0]), (std::max)(a[1], b[1])}}};
   }
 
+  Tick_frame inverse() const
+  {
+    Tick_frame result;
+    result.turns = (4 - turns) & 3;
+    const Tick_point p = result(shift);
+    result.shift = {{-p[0], -p[1]}};
+    return result;
+  }
+
   /// returns this frame after `first`
   Tick_frame after(const Tick_frame& first) const
   {
@@ -84,7 +93,9 @@ struct Cell
   Bicubic points;
   std::size_t patch;
   std::size_t cap = NO_INDEX; ///< index of the cap the cell belongs to, if any
-  std::size_t sector = 0;     ///< of the cap
+  std::size_t sector = 0;     ///< of the cap or crease
+  std::size_t crease = NO_INDEX; ///< index of the crease the cell lies beside, if any
+  Tick_frame frame;           ///< takes coordinates of the quad to those of the crease
 };
 
 /// how the layout quads hang together, by side: (quad, side), the quad `NO_INDEX` at the boundary

@@ -18,7 +18,9 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -64,13 +66,14 @@ public:
     std::vector<Cell_rectangle> faces;
     for(std::size_t seed : seeds())
     {
-      if(m_face_of_cell[seed] != NO_INDEX)
+      if(m_face_of_cell[seed] != NO_INDEX || m_complex.cells()[seed].crease != NO_INDEX)
         continue;
       m_face_of_cell[seed] = faces.size();
       faces.push_back(single_cell(seed));
       if(m_complex.cells()[seed].cap == NO_INDEX)
         grow(faces.back(), faces.size() - 1);
     }
+    append_crease_faces(faces);
     return faces;
   }
 
@@ -136,6 +139,41 @@ private:
     return {{{cell, Tick_frame()}}, m_complex.cells()[cell].rectangle};
   }
 
+  // the cells on one side of a crease make one face
+  void append_crease_faces(std::vector<Cell_rectangle>& faces)
+  {
+    std::map<std::pair<std::size_t, std::size_t>, Cell_rectangle> by_side;
+    for(std::size_t c = 0; c < m_complex.cells().size(); ++c)
+    {
+      const Cell& cell = m_complex.cells()[c];
+      if(cell.crease == NO_INDEX)
+        continue;
+      Cell_rectangle& face = by_side[{cell.crease, cell.sector}];
+      const Tick_rectangle r = cell.frame(cell.rectangle);
+      if(face.cells.empty())
+        face.bounds = r;
+      for(int axis = 0; axis < 2; ++axis)
+      {
+        face.bounds.low[axis] = (std::min)(face.bounds.low[axis], r.low[axis]);
+        face.bounds.high[axis] = (std::max)(face.bounds.high[axis], r.high[axis]);
+      }
+      face.cells.push_back({c, cell.frame});
+    }
+    for(auto& entry : by_side)
+    {
+      Cell_rectangle& face = entry.second;
+      std::sort(face.cells.begin(), face.cells.end(),
+                [this](const Placed_cell& a, const Placed_cell& b)
+      { // the cell at the smallest parameters first
+        const Tick_point p = image(a).low, q = image(b).low;
+        return p[1] < q[1] || (p[1] == q[1] && p[0] < q[0]);
+      });
+      for(const Placed_cell& placed : face.cells)
+        m_face_of_cell[placed.cell] = faces.size();
+      faces.push_back(face);
+    }
+  }
+
   Tick_rectangle image(const Placed_cell& placed) const { return image(m_complex, placed); }
 
   // the side of the face that corresponds to a side of the cell
@@ -180,7 +218,8 @@ private:
   bool is_free(std::size_t cell) const
   {
     return cell != NO_INDEX && m_face_of_cell[cell] == NO_INDEX
-        && m_complex.cells()[cell].cap == NO_INDEX;
+        && m_complex.cells()[cell].cap == NO_INDEX
+        && m_complex.cells()[cell].crease == NO_INDEX;
   }
 
   bool may_join(const Placed_cell& placed, const Cell_complex::Segment_use& use)

@@ -13,6 +13,7 @@
 
 #include <CGAL/Surface_mesh_spline_conversion/NURBS_shell_3.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/caps/Cap_builder.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/caps/Crease_builder.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/Cell_complex.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/Cell_merger.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/blossoms.h>
@@ -73,8 +74,8 @@ class Shell_assembler
 
 public:
   Shell_assembler(const Cell_complex& complex, const std::vector<Cap>& caps,
-                  const Cell_merger& merger)
-    : m_complex(complex), m_caps(caps), m_merger(merger)
+                  const std::vector<Crease>& creases, const Cell_merger& merger)
+    : m_complex(complex), m_caps(caps), m_creases(creases), m_merger(merger)
   {}
 
   /// \param boundary_points where the boundary must have further vertices
@@ -225,9 +226,10 @@ private:
     typename Shell::Face face;
     const Cell& first = m_complex.cells()[cells.cells.front().cell];
     face.is_extraordinary = (first.cap != NO_INDEX);
-    face.surface = face.is_extraordinary ? cap_surface(first) : merged_surface(cells, face.patch);
-    if(face.is_extraordinary)
-      face.patch = first.patch;
+    face.patch = first.patch;
+    face.surface = face.is_extraordinary ? cap_surface(first)
+                 : first.crease != NO_INDEX ? crease_surface(first)
+                 : merged_surface(cells, face.patch);
     for(const auto& side : loop)
       for(std::size_t begin = 0, end; begin < side.size(); begin = end)
       {
@@ -341,6 +343,30 @@ private:
     return result;
   }
 
+  // the points at the breaks follow from their neighbours
+  B_spline_surface_3<K> crease_surface(const Cell& cell) const
+  {
+    const Crease& crease = m_creases[cell.crease];
+    const std::vector<Eigen::Vector3d>& points = crease.points[cell.sector];
+    constexpr std::size_t columns = Crease_builder::COLUMNS, rows = Crease_builder::ROWS;
+    const std::size_t pieces = crease.breaks.size() - 1;
+    B_spline_surface_3<K> result;
+    std::vector<typename K::FT> breaks;
+    std::vector<int> multiplicities(pieces + 1, int(rows) - 2);
+    multiplicities.front() = multiplicities.back() = int(rows);
+    for(std::int64_t t : crease.breaks)
+      breaks.push_back(double(t) / double(QUAD_TICKS));
+    result.knots[0] = Knot_vector<typename K::FT>(
+      Crease_builder::DEGREE_ACROSS, {0, double(crease.width[cell.sector]) / double(QUAD_TICKS)});
+    result.knots[1]
+      = Knot_vector<typename K::FT>(Crease_builder::DEGREE_ALONG, breaks, multiplicities);
+    for(std::size_t k = 0; k < pieces; ++k)
+      for(std::size_t b = (k == 0 ? 0 : 1); b < (k + 1 == pieces ? rows : rows - 1); ++b)
+        for(std::size_t a = 0; a < columns; ++a)
+          result.control_points.push_back(point(points[columns * (rows * k + b) + a]));
+    return result;
+  }
+
   B_spline_surface_3<K> merged_surface(const Cell_rectangle& face, std::size_t& patch) const
   {
     std::array<std::vector<double>, 2> breaks;
@@ -404,6 +430,7 @@ private:
 
   const Cell_complex& m_complex;
   const std::vector<Cap>& m_caps;
+  const std::vector<Crease>& m_creases;
   const Cell_merger& m_merger;
   // vertices of the complex and, after them, those that cut segments
   std::vector<char> m_is_node;

@@ -13,6 +13,7 @@
 
 #include <CGAL/Surface_mesh_spline_conversion/NURBS_shell_3.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/caps/Cap_builder.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/caps/Crease_builder.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/Cell_complex.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/Cell_merger.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/Shell_assembler.h>
@@ -40,6 +41,8 @@ struct Extraction_result
   std::size_t number_of_caps = 0;
   std::size_t number_of_sharp_caps = 0; ///< caps that are tangent continuous only approximately
   double cap_deviation = 0;             ///< largest deviation of caps from the surface
+  std::size_t number_of_creases = 0;    ///< crease lines with tangent continuous faces
+  double crease_deviation = 0;          ///< largest deviation of these faces from the surface
 };
 
 /// Pieces agree if they do so to this fraction of the extent: some hundred times the rounding errors
@@ -116,7 +119,12 @@ Extraction_result extract_shell(std::vector<Cell> cells, const Quad_neighbors& n
                                 NURBS_shell_3<K>& shell)
 {
   const double equality = RELATIVE_EQUALITY * largest_coordinate(cells);
-  const Cell_complex all = make_cell_complex(std::move(cells), neighbors);
+  Cell_complex all = make_cell_complex(std::move(cells), neighbors);
+  Crease_builder crease_builder(all, settings.cap_tolerance, equality);
+  const std::vector<Crease> creases = crease_builder();
+  if(!creases.empty())
+    all = Cell_complex(crease_builder.cells(creases), neighbors);
+
   Cap_builder<Position> builder(all, position,
                                 {settings.cap_tolerance, equality, settings.levels});
   const std::vector<Cap> caps = builder();
@@ -124,10 +132,14 @@ Extraction_result extract_shell(std::vector<Cell> cells, const Quad_neighbors& n
 
   Cell_merger merger(complex, equality);
   std::vector<Cell_rectangle> faces = merger(settings.across_patches);
-  Shell_assembler<K>(complex, caps, merger)(std::move(faces), settings.boundary_points, shell);
+  Shell_assembler<K>(complex, caps, creases, merger)(std::move(faces), settings.boundary_points,
+                                                     shell);
 
   Extraction_result result;
   result.number_of_caps = caps.size();
+  result.number_of_creases = creases.size();
+  for(const Crease& crease : creases)
+    result.crease_deviation = (std::max)(result.crease_deviation, crease.deviation);
   for(const Cap& cap : caps)
   {
     result.cap_deviation = (std::max)(result.cap_deviation, cap.deviation);

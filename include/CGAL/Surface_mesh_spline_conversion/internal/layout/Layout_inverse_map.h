@@ -12,7 +12,7 @@
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
 #include <CGAL/Surface_mesh_spline_conversion/Quad_layout.h>
-#include <CGAL/Surface_mesh_spline_conversion/internal/layout/Mapped_quads.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/layout/Triangle_locator.h>
 
 #include <CGAL/number_utils.h>
 
@@ -97,8 +97,9 @@ Surface_location<GeomTraits> make_surface_location(const Working_location& at,
   return location;
 }
 
-// The inverse map of a layout that has been extracted from an integer grid map.
-template <typename GeomTraits>
+// The inverse map of a layout. `LocateOnWorkingMesh` returns the `Working_location` at the local
+// coordinates of a quad.
+template <typename GeomTraits, typename LocateOnWorkingMesh>
 class Layout_inverse_map
   : public Quad_layout<GeomTraits>::Inverse_map
 {
@@ -107,9 +108,9 @@ public:
   typedef typename Quad_layout<GeomTraits>::Location Location;
 
   // `input_faces`: the corners of the input faces in the order of `faces(tm)`
-  Layout_inverse_map(Mapped_quads quads, const Working_mesh& mesh,
+  Layout_inverse_map(LocateOnWorkingMesh locate, const Working_mesh& mesh,
                      const std::vector<std::array<Eigen::Vector3d, 3> >& input_faces)
-    : m_quads(std::move(quads)), m_parents(mesh, input_faces), m_points(mesh.number_of_faces())
+    : m_locate(std::move(locate)), m_parents(mesh, input_faces), m_points(mesh.number_of_faces())
   {
     for(int f = 0; f < mesh.number_of_faces(); ++f)
       for(int i = 0; i < 3; ++i)
@@ -118,7 +119,7 @@ public:
 
   Location operator()(std::size_t quad, FT u, FT v) const override
   {
-    const Working_location at = m_quads(quad, CGAL::to_double(u), CGAL::to_double(v));
+    const Working_location at = m_locate(quad, CGAL::to_double(u), CGAL::to_double(v));
     const std::array<Eigen::Vector3d, 3>& t = m_points[at.face];
     const std::array<double, 3>& b = at.barycentric;
     return make_surface_location<GeomTraits>(m_parents(at),
@@ -126,7 +127,7 @@ public:
   }
 
 private:
-  Mapped_quads m_quads;
+  LocateOnWorkingMesh m_locate;
   Parent_faces m_parents;
   std::vector<std::array<Eigen::Vector3d, 3> > m_points; // of the corners of each face
 };
