@@ -19,6 +19,17 @@ add_library(CGAL::Surface_mesh_spline_conversion ALIAS Surface_mesh_spline_conve
 target_include_directories(Surface_mesh_spline_conversion BEFORE INTERFACE
   $<BUILD_INTERFACE:${SMSC_ROOT_DIR}/include> $<INSTALL_INTERFACE:include>)
 target_link_libraries(Surface_mesh_spline_conversion INTERFACE CGAL::CGAL CGAL::Eigen3_support)
+
+# The factorisation of this package suffices; CHOLMOD pays with a fast BLAS and large systems.
+option(SMSC_USE_CHOLMOD "Factorise sparse matrices with CHOLMOD of SuiteSparse" OFF)
+if(SMSC_USE_CHOLMOD)
+  find_path(CHOLMOD_INCLUDE_DIR cholmod.h PATH_SUFFIXES suitesparse REQUIRED)
+  find_library(CHOLMOD_LIBRARY cholmod REQUIRED)
+  target_include_directories(Surface_mesh_spline_conversion SYSTEM INTERFACE ${CHOLMOD_INCLUDE_DIR})
+  target_link_libraries(Surface_mesh_spline_conversion INTERFACE ${CHOLMOD_LIBRARY})
+  target_compile_definitions(Surface_mesh_spline_conversion INTERFACE
+    CGAL_SURFACE_MESH_SPLINE_CONVERSION_USE_CHOLMOD)
+endif()
 target_compile_features(Surface_mesh_spline_conversion INTERFACE cxx_std_17)
 
 include(${CMAKE_CURRENT_LIST_DIR}/Open_cascade.cmake)

@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
+#include <CGAL/Surface_mesh_spline_conversion/internal/Sparse_solver.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/field/curvature_alignment.h>
 
 #include <Eigen/SparseCholesky>
@@ -93,8 +94,9 @@ public:
         matrix.coeffRef(m_unknown[f], m_unknown[f]) += weight;
         b[m_unknown[f]] = weight * aligned_angle(f) + angle_flux(f);
       }
-    Eigen::SimplicialLDLT<Real_matrix> solver(matrix);
-    if(solver.info() != Eigen::Success)
+    Sparse_solver solver;
+    solver.analyze(matrix);
+    if(!solver.factorize(matrix))
       return false;
     const Eigen::VectorXd x = solver.solve(b);
     if(!x.allFinite())

@@ -11,12 +11,12 @@
 
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
+#include <CGAL/Surface_mesh_spline_conversion/internal/Sparse_solver.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/map/Cut_graph.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/map/Distortion_energy.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/map/seam_equations.h>
 
 #include <Eigen/Core>
-#include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 
 #include <algorithm>
@@ -48,7 +48,7 @@ public:
     collect_entries();
     build_pattern();
     locate_entries();
-    m_solver.analyzePattern(m_matrix);
+    m_solver.analyze(m_matrix);
   }
 
   std::vector<Reference>& references() { return m_reference; }
@@ -109,8 +109,7 @@ public:
         local_gradient += local_matrix * corners(*drift, f);
       scatter(f, local_matrix, local_gradient);
     }
-    m_solver.factorize(m_matrix);
-    return m_solver.info() == Eigen::Success;
+    return m_solver.factorize(m_matrix);
   }
 
   const Eigen::VectorXd& gradient() const { return m_gradient; }
@@ -266,7 +265,7 @@ private:
   std::vector<std::size_t> m_place_start; // per face
   Matrix m_matrix;
   Eigen::VectorXd m_gradient;
-  Eigen::SimplicialLDLT<Matrix> m_solver;
+  Sparse_solver m_solver;
 };
 
 } // namespace internal

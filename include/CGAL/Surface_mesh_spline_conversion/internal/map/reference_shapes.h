@@ -11,13 +11,13 @@
 
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
+#include <CGAL/Surface_mesh_spline_conversion/internal/Sparse_solver.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/field/Face_geometry.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/map/Map_system.h>
 
 #include <Eigen/Core>
 #include <Eigen/LU>
 #include <Eigen/SVD>
-#include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 
 #include <algorithm>
@@ -154,9 +154,12 @@ inline std::vector<double> conformal_scales(const Working_mesh& mesh, const Face
   }
   Eigen::SparseMatrix<double> laplacian(n, n);
   laplacian.setFromTriplets(entries.begin(), entries.end());
-  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double> > solver(laplacian);
+  Sparse_solver solver;
+  solver.analyze(laplacian);
+  if(!solver.factorize(laplacian))
+    return std::vector<double>();
   const Eigen::VectorXd exponent = solver.solve(curvature);
-  if(solver.info() != Eigen::Success || !exponent.allFinite())
+  if(!exponent.allFinite())
     return std::vector<double>();
 
   std::vector<double> scale(mesh.number_of_faces());

@@ -1,0 +1,133 @@
+// The factorisation of sparse matrices against that of Eigen: random patterns, dense ones, blocks
+// without connection, several matrices with one pattern, and indefinite or singular matrices.
+
+#include <CGAL/Surface_mesh_spline_conversion/internal/Sparse_solver.h>
+
+#include <Eigen/Dense>
+
+#include <cassert>
+#include <iostream>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace {
+
+using CGAL::Surface_mesh_spline_conversion::internal::Sparse_solver;
+using CGAL::Surface_mesh_spline_conversion::internal::Supernodal_cholesky;
+
+typedef Eigen::SparseMatrix<double> Matrix;
+typedef std::vector<Eigen::Triplet<double> > Entries;
+
+std::mt19937 generator(1);
+
+double random_number() { return 2. * generator() / double(generator.max()) - 1; }
+
+int random_index(int n) { return static_cast<int>(generator() % unsigned(n)); }
+
+// the lower triangle, with the given numbers on the diagonal
+Matrix make_matrix(int n, Entries entries, double diagonal)
+{
+  for(int i = 0; i < n; ++i)
+    entries.emplace_back(i, i, diagonal + random_number());
+  Matrix matrix(n, n);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
+
+Entries random_entries(int n, int count)
+{
+  Entries entries;
+  for(int k = 0; k < count; ++k)
+  {
+    const int i = random_index(n), j = random_index(n);
+    if(i > j)
+      entries.emplace_back(i, j, random_number());
+  }
+  return entries;
+}
+
+// the neighbours of a grid of m x m points with two unknowns each
+Entries grid_entries(int m)
+{
+  Entries entries;
+  const auto couple = [&entries](int p, int q)
+  {
+    for(int a = 0; a < 2; ++a)
+      for(int b = 0; b < 2; ++b)
+        entries.emplace_back(2 * q + a, 2 * p + b, random_number());
+  };
+  for(int i = 0; i < m; ++i)
+    for(int j = 0; j < m; ++j)
+    {
+      entries.emplace_back(2 * (i * m + j) + 1, 2 * (i * m + j), random_number());
+      if(i + 1 < m)
+        couple(i * m + j, (i + 1) * m + j);
+      if(j + 1 < m)
+        couple(i * m + j, i * m + j + 1);
+      if(i + 1 < m && j + 1 < m)
+        couple(i * m + j, (i + 1) * m + j + 1);
+    }
+  return entries;
+}
+
+void check_solution(Sparse_solver& solver, const Matrix& lower)
+{
+  const Eigen::VectorXd b = Eigen::VectorXd::Random(lower.rows());
+  const bool is_regular = solver.factorize(lower);
+  assert(is_regular);
+  const Eigen::VectorXd x = solver.solve(b);
+  assert(x == solver.solve(b));
+  const Eigen::VectorXd residual = lower.selfadjointView<Eigen::Lower>() * x - b;
+  assert(residual.norm() <= 1e-10 * b.norm());
+}
+
+void test(const std::string& name, int n, const Entries& entries, double diagonal)
+{
+  Sparse_solver solver;
+  for(int k = 0; k < 3; ++k)
+  {
+    Matrix lower = make_matrix(n, entries, diagonal);
+    if(k == 0)
+      solver.analyze(lower);
+    lower *= k + 1;
+    check_solution(solver, lower);
+  }
+  std::cout << name << ": " << n << " unknowns" << std::endl;
+}
+
+// the factorisation for definite matrices refuses, the solver does not
+void test_indefinite()
+{
+  const Matrix lower = make_matrix(200, random_entries(200, 600), -30);
+  Supernodal_cholesky cholesky;
+  cholesky.analyze(lower);
+  assert(!cholesky.factorize(lower));
+  Sparse_solver solver;
+  solver.analyze(lower);
+  check_solution(solver, lower);
+}
+
+void test_singular()
+{
+  Matrix zero = make_matrix(5, Entries(), 1);
+  zero *= 0;
+  Sparse_solver solver;
+  solver.analyze(zero);
+  assert(!solver.factorize(zero));
+}
+
+} // namespace
+
+int main()
+{
+  test("one unknown", 1, Entries(), 3);
+  test("diagonal", 50, Entries(), 3);
+  for(int n : {3, 20, 150, 600})
+    test("random", n, random_entries(n, 4 * n), 40);
+  test("dense", 60, random_entries(60, 20000), 600);
+  test("grid", 2 * 60 * 60, grid_entries(60), 25);
+  test_indefinite();
+  test_singular();
+  return 0;
+}
