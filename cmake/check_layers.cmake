@@ -14,7 +14,7 @@ set(rules
   field   "^(Cross_field|compute_cross_field)\\.h$|^internal/(field/|map/(make_|refine_)?[Ww]orking_mesh\\.h$)"
   map     "^Integer_grid_map\\.h$|^internal/map/"
   # the lengths of an integer grid map are verified by extracting its quads
-  layout  "^(compute_integer_grid_map|extract_quad_layout)\\.h$|^internal/layout/"
+  layout  "^(compute_integer_grid_map|extract_quad_layout|compute_quad_layout|measure_layout_quality)\\.h$|^internal/layout/"
   patches "^Transfinite_patch_network_3\\.h$|^internal/patches/"
   surface "^T_NURCC_surface_3\\.h$|^internal/surface/"
   fitting "^fit_(boundary|interior)\\.h$|^internal/fitting/"

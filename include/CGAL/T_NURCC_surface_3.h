@@ -110,6 +110,13 @@ public:
     FT x0, x1;
   };
 
+  /// A patch to be split: `u` halves its interval in `u`, `v` that in `v`, both quadrisect it.
+  struct Patch_split
+  {
+    size_type patch;
+    bool u, v;
+  };
+
   /*!
   A rectangle on which the surface is bicubic, with its Bezier points: number `4*j+i` is point `i`
   along `u` and `j` along `v`. An element with `is_extraordinary` touches an extraordinary point;
@@ -318,6 +325,10 @@ public:
   /// `refine_boundary()`.
   void refine(const std::vector<size_type>& patches);
 
+  /// splits the given patches in one or both directions, and refines what has to be refined with
+  /// them, see `refine_boundary()`. A patch may occur more than once.
+  void refine(const std::vector<Patch_split>& splits);
+
   /// halves the knot intervals of the boundary that overlap the given spans, and what has to be
   /// refined with them to have a sound surface: splits are carried two patches inwards; patches
   /// at convex corners and the two-ring of an extraordinary point are quadrisected; neighboring
@@ -333,7 +344,7 @@ public:
   /// exactly `levels` times, at least once.
   std::vector<Bezier_element> bezier_elements(int levels = 1) const;
 
-  /// returns the number of subdivisions after which the two rings around extraordinary point `i`
+  /// returns a number of subdivisions after which the two rings around extraordinary point `i`
   /// are uniform and contain neither another extraordinary point nor a boundary vertex inside.
   int minimum_ring_level(size_type i) const;
 
@@ -385,6 +396,13 @@ private:
 
   typedef Surface_mesh_spline_conversion::internal::Regular_element Regular_element;
   typedef Surface_mesh_spline_conversion::internal::Extraordinary_face Extraordinary_face;
+  typedef Surface_mesh_spline_conversion::internal::Stencil_matrix Stencil_matrix;
+
+  // in coordinates of a patch: the origin is its corner (u0, v0)
+  struct Rectangle
+  {
+    double u0, v0, u1, v1;
+  };
 
   typedef Surface_mesh_spline_conversion::internal::Refinement_closure<Point_3> Closure;
 
@@ -393,14 +411,29 @@ private:
   void mark_spans(const std::vector<Boundary_span>& spans, Closure& closure) const;
   bool is_chain_end(Vertex v) const;
   Bezier_element regular_element(size_type i, const Regular_element& e) const;
+  void add_functions(const Regular_element& e, const Rectangle& r,
+                     std::array<Vector_3, 16>& points) const;
   Point_3 stencil_point(const Extraordinary_face& face,
                         const Eigen::Ref<const Eigen::RowVectorXd>& stencil) const;
-  static void turn(int corner, std::array<Point_3, 16>& points);
-  static Patch_origin quarter_rectangle(const Patch& patch, int corner, double s0, double t0,
-                                        double s1, double t1);
+  static void turn(int corner, std::array<Vector_3, 16>& points);
+  static Rectangle quarter_rectangle(const Patch& patch, int corner, double s0, double t0,
+                                     double s1, double t1);
   void add_extraordinary_elements(size_type i, int levels, std::vector<Bezier_element>& out) const;
+  void add_piece(size_type i, int corner, const Stencil_matrix& stencils,
+                 const std::array<double, 2>& st, double size,
+                 std::vector<Bezier_element>& out) const;
+  void add_last_piece(size_type i, int corner, int levels, double size,
+                      std::vector<Bezier_element>& out) const;
+  std::array<Vector_3, 16> piece_points(size_type i, int corner,
+                                        const Stencil_matrix& stencils) const;
+  void add_element(size_type i, const Rectangle& r, bool is_extraordinary,
+                   const std::array<Vector_3, 16>& points, std::vector<Bezier_element>& out) const;
   void add_sector(Halfedge h, int level, Extraordinary_ring& ring) const;
-  void add_control_points_of_sector(Halfedge h, Extraordinary_ring& ring) const;
+  Vector_3 function_coefficient(size_type i, int corner, double size, int a, int b) const;
+  bool is_regular_basis(size_type i) const;
+  bool is_partition_of_unity(size_type i) const;
+
+  static constexpr double tolerance_of_sums = 1e-12; // rounding errors of sums of order one
 
   T_mesh m_mesh;
   Patch_basis m_basis;

@@ -149,6 +149,21 @@ void check_boundary(const Surface<K>& surface, const Layout<K>& layout)
 }
 
 // the ring after one more subdivision is that of Catmull and Clark, its center has the right limit
+// a refinement does not change the boundary curves
+template <typename K>
+double largest_boundary_difference(const Surface<K>& a, const Surface<K>& b)
+{
+  double result = 0;
+  for(std::size_t c = 0; c < a.number_of_boundary_chains(); ++c)
+  {
+    const auto curve = a.boundary_curve(c), refined = b.boundary_curve(c);
+    for(double x = 0.01; x < curve.knots.back(); x += 0.0931)
+      result = (std::max)(result, CGAL::squared_distance(curve_point(a, curve, x),
+                                                         curve_point(b, refined, x)));
+  }
+  return std::sqrt(result);
+}
+
 template <typename K>
 void check_extraordinary_rings(const Surface<K>& surface)
 {
@@ -220,7 +235,8 @@ void test_boundary_refinement(Layout<K> layout, double share_of_corners, unsigne
       const auto knots = surface.boundary_curve(span.chain).knots;
       assert(std::find(knots.begin(), knots.end(), (span.x0 + span.x1) / 2) != knots.end());
     }
-    if(share_of_corners == 0) // else the lines above corners become shorter
+    assert(largest_boundary_difference(before, surface) < 1e-12);
+    if(surface.number_of_patches() == before.number_of_patches())
       assert(largest_difference(before, surface) < 1e-12);
     if(step == 1) // patches anywhere
     {
@@ -275,6 +291,24 @@ void test_local_refinement()
   assert(surface.number_of_patches() < layout.number_of_quads() + 100);
 }
 
+// bisections of single patches in the middle of a grid stay single
+template <typename K>
+void test_directional_refinement()
+{
+  typedef typename Surface<K>::Patch_split Patch_split;
+  const Surface<K> surface(grid_layout<K>(8, 8));
+  for(const bool in_u : {true, false})
+  {
+    Surface<K> refined = surface;
+    refined.refine(std::vector<Patch_split>{{refined.patch_at(27, 0.5, 0.5), in_u, !in_u}});
+    assert(refined.is_valid());
+    assert(refined.number_of_patches() == surface.number_of_patches() + 1);
+    const auto r = refined.patch_origin(refined.patch_at(27, 0.25, 0.25));
+    assert(r.u1 == (in_u ? 0.5 : 1) && r.v1 == (in_u ? 1 : 0.5));
+    assert(largest_difference(surface, refined) < 1e-13);
+  }
+}
+
 // layouts that are not supported are reported
 void test_errors()
 {
@@ -294,6 +328,7 @@ int main()
   test_kernel<CGAL::Simple_cartesian<double> >(3);
   test_kernel<CGAL::Exact_predicates_inexact_constructions_kernel>(1);
   test_local_refinement<CGAL::Simple_cartesian<double> >();
+  test_directional_refinement<CGAL::Simple_cartesian<double> >();
   test_errors();
   return EXIT_SUCCESS;
 }

@@ -98,11 +98,26 @@ struct Conversion_report
     double max_normal_angle_degrees = not_measured;
   };
 
-  /// describes the integer grid map.
+  /// describes the integer grid map and the quads of its layout, see `measure_layout_quality()`.
   struct Map
   {
     size_type flipped_triangles = 0; ///< always zero in a valid map
     std::string fallback = "none";   ///< the rung of the ladder of fallbacks that was needed
+
+    size_type extraordinary_points = 0;                 ///< inner vertices with three, five, ... quads
+    double min_scaled_jacobian = not_measured;          ///< smallest sine of a corner of a flat quad
+    double mean_angle_deviation_degrees = not_measured; ///< of corners from a right angle
+    double max_angle_deviation_degrees = not_measured;  ///< of corners from a right angle
+    double min_size_ratio = not_measured;               ///< length of a side / wanted size
+    double mean_size_ratio = not_measured;              ///< length of a side / wanted size
+    double max_size_ratio = not_measured;               ///< length of a side / wanted size
+    double relative_number_of_quads = not_measured;     ///< quads / (area / square of wanted size)
+    double mean_singular_value_ratio = not_measured;    ///< larger / smaller one, weighted by area
+    double max_singular_value_ratio = not_measured;     ///< larger / smaller one
+    double mean_area_ratio = not_measured;              ///< area / square of wanted size, or inverse
+    double max_area_ratio = not_measured;               ///< area / square of wanted size, or inverse
+    double mean_kink_degrees = not_measured;            ///< turn of a line across a side of a quad
+    double max_kink_degrees = not_measured;             ///< turn of a line across a side of a quad
   };
 
   /// describes one iteration of a fit.

@@ -41,12 +41,14 @@ inline double mean_edge_length(const Working_mesh& mesh)
   return sum / mesh.number_of_halfedges();
 }
 
-// the quad size is a number, a property map of the vertices, or is to be chosen
+// the quad size is a number, a function or property map of the vertices, or is to be chosen
 template <typename Size, typename VertexDescriptor>
 double quad_size_at(const Size& size, VertexDescriptor v, double)
 {
   if constexpr(std::is_arithmetic<Size>::value)
     return static_cast<double>(size);
+  else if constexpr(std::is_invocable<const Size&, VertexDescriptor>::value)
+    return CGAL::to_double(size(v));
   else
     return CGAL::to_double(get(size, v));
 }
@@ -87,6 +89,29 @@ inline void limit_gradation(const Working_mesh& mesh, double gradation, std::vec
   }
 }
 
+// The wanted quad sizes at the vertices of the working mesh, of which the first ones are those of
+// `vertex`. Returns `false` if one is not a positive number.
+template <typename Size, typename VertexDescriptor>
+bool compute_quad_sizes(const Working_mesh& mesh, const std::vector<VertexDescriptor>& vertex,
+                        const Size& size_map, double diameter, std::vector<double>& size)
+{
+  const double quads_per_diameter = 40, edges_per_quad = 2, gradation = 0.5;
+  const double default_size = (std::max)(diameter / quads_per_diameter,
+                                         edges_per_quad * mean_edge_length(mesh));
+  size.clear();
+  for(const VertexDescriptor v : vertex)
+  {
+    size.push_back(quad_size_at(size_map, v, default_size));
+    if(!(size.back() > 0) || !std::isfinite(size.back()))
+      return false;
+  }
+  // vertices that split ears: the gradation gives them the size of their neighbours
+  const double largest = *std::max_element(size.begin(), size.end());
+  size.resize(mesh.number_of_vertices(), largest);
+  limit_gradation(mesh, gradation, size);
+  return true;
+}
+
 } // namespace internal
 
 /*!
@@ -116,9 +141,9 @@ singularities are split.
 \cgalNamedParamsBegin
   \cgalParamNBegin{quad_size_map}
     \cgalParamDescription{the wanted edge length of the quads, in model units}
-    \cgalParamType{a number, or a class model of `ReadablePropertyMap` with
-                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a number
-                    type as value type}
+    \cgalParamType{a number, a function object that returns a number for a
+                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor`, or a class model of
+                    `ReadablePropertyMap` with this as key type and a number type as value type}
     \cgalParamDefault{the larger of `D / 40` and twice the mean edge length, where `D` is
                        `smallest_enclosing_sphere_diameter(tm)`}
     \cgalParamExtra{sizes are reduced where they grow faster than by half of the distance}
@@ -156,21 +181,9 @@ Error_code compute_cross_field(const TriangleMesh& tm, const BoundaryCurveNetwor
   if(code != Error_code::OK)
     return code;
 
-  const double quads_per_diameter = 40, edges_per_quad = 2, gradation = 0.5;
-  const double default_size
-    = (std::max)(CGAL::to_double(network.diameter()) / quads_per_diameter,
-                 edges_per_quad * internal::mean_edge_length(field.mesh));
-  const auto size = get_parameter(np, internal_np::quad_size_map);
-  for(const auto v : vertex)
-  {
-    field.size.push_back(internal::quad_size_at(size, v, default_size));
-    if(!(field.size.back() > 0) || !std::isfinite(field.size.back()))
-      return Error_code::INVALID_PARAMETER;
-  }
-  // vertices that split ears: the gradation gives them the size of their neighbours
-  const double largest = *std::max_element(field.size.begin(), field.size.end());
-  field.size.resize(field.mesh.number_of_vertices(), largest);
-  internal::limit_gradation(field.mesh, gradation, field.size);
+  if(!internal::compute_quad_sizes(field.mesh, vertex, get_parameter(np, internal_np::quad_size_map),
+                                   CGAL::to_double(network.diameter()), field.size))
+    return Error_code::INVALID_PARAMETER;
   return internal::build_cross_field(field);
 }
 

@@ -104,6 +104,19 @@ void set_points(const Quad_grid& grid, const Working_mesh& mesh, Quad_layout<Geo
     }
 }
 
+// The layout of quads together with their inverse map.
+template <typename Quads, typename GeomTraits>
+void set_layout(Quads quads, const Working_mesh& mesh,
+                const std::vector<std::array<Eigen::Vector3d, 3> >& input_faces,
+                Quad_layout<GeomTraits>& layout)
+{
+  const Quad_grid grid = quads.quads();
+  layout = make_layout<GeomTraits>(grid, mesh);
+  layout.set_inverse_map(std::make_shared<const Layout_inverse_map<GeomTraits, Quads> >(
+    std::move(quads), mesh, input_faces));
+  set_points(grid, mesh, layout);
+}
+
 } // namespace internal
 
 /*!
@@ -161,12 +174,8 @@ Error_code extract_quad_layout(const Integer_grid_map& map, const TriangleMesh& 
     return Error_code::NO_QUAD_LAYOUT;
   const auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
                                     get_const_property_map(vertex_point, tm));
-  const internal::Quad_grid grid = quads.quads();
   const internal::Working_mesh& mesh = map.map.mesh;
-  layout = internal::make_layout<GeomTraits>(grid, mesh);
-  layout.set_inverse_map(std::make_shared<const internal::Layout_inverse_map<GeomTraits> >(
-    std::move(quads), mesh, internal::face_corners(tm, vpm)));
-  internal::set_points(grid, mesh, layout);
+  internal::set_layout(std::move(quads), mesh, internal::face_corners(tm, vpm), layout);
   return Error_code::OK;
 }
 

@@ -73,9 +73,27 @@ inline void write_JSON_counts(JSON_writer& json, const Conversion_report& report
   json.open("smoothness", '{');
   json.member("max_normal_angle_degrees", report.smoothness.max_normal_angle_degrees);
   json.close('}');
+}
+
+inline void write_JSON_map(JSON_writer& json, const Conversion_report::Map& map)
+{
   json.open("map", '{');
-  json.member("flipped_triangles", report.map.flipped_triangles);
-  json.member("fallback", report.map.fallback);
+  json.member("flipped_triangles", map.flipped_triangles);
+  json.member("fallback", map.fallback);
+  json.member("extraordinary_points", map.extraordinary_points);
+  json.member("min_scaled_jacobian", map.min_scaled_jacobian);
+  json.member("mean_angle_deviation_degrees", map.mean_angle_deviation_degrees);
+  json.member("max_angle_deviation_degrees", map.max_angle_deviation_degrees);
+  json.member("min_size_ratio", map.min_size_ratio);
+  json.member("mean_size_ratio", map.mean_size_ratio);
+  json.member("max_size_ratio", map.max_size_ratio);
+  json.member("relative_number_of_quads", map.relative_number_of_quads);
+  json.member("mean_singular_value_ratio", map.mean_singular_value_ratio);
+  json.member("max_singular_value_ratio", map.max_singular_value_ratio);
+  json.member("mean_area_ratio", map.mean_area_ratio);
+  json.member("max_area_ratio", map.max_area_ratio);
+  json.member("mean_kink_degrees", map.mean_kink_degrees);
+  json.member("max_kink_degrees", map.max_kink_degrees);
   json.close('}');
 }
 
@@ -139,6 +157,7 @@ inline bool write_JSON(std::ostream& out,
   SC::internal::write_JSON_input(json, report);
   SC::internal::write_JSON_deviations(json, report);
   SC::internal::write_JSON_counts(json, report);
+  SC::internal::write_JSON_map(json, report.map);
   SC::internal::write_JSON_course(json, report);
   json.close('}');
   return out.good();

@@ -17,10 +17,8 @@
 #include <CGAL/Surface_mesh_spline_conversion/NURBS_shell_3.h>
 #include <CGAL/Surface_mesh_spline_conversion/Quad_layout.h>
 #include <CGAL/Surface_mesh_spline_conversion/Transfinite_patch_network_3.h>
-#include <CGAL/Surface_mesh_spline_conversion/compute_cross_field.h>
-#include <CGAL/Surface_mesh_spline_conversion/compute_integer_grid_map.h>
+#include <CGAL/Surface_mesh_spline_conversion/compute_quad_layout.h>
 #include <CGAL/Surface_mesh_spline_conversion/extract_NURBS_faces.h>
-#include <CGAL/Surface_mesh_spline_conversion/extract_quad_layout.h>
 #include <CGAL/Surface_mesh_spline_conversion/find_boundary_vertices.h>
 #include <CGAL/Surface_mesh_spline_conversion/fit_boundary.h>
 #include <CGAL/Surface_mesh_spline_conversion/fit_interior.h>
@@ -28,9 +26,9 @@
 #include <CGAL/Surface_mesh_spline_conversion/internal/conversion/conversion_options.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/conversion/merge_reports.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/named_parameters.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/run_stage.h>
 #include <CGAL/Surface_mesh_spline_conversion/measure_deviation.h>
 
-#include <CGAL/Real_timer.h>
 #include <CGAL/T_NURCC_surface_3.h>
 #include <CGAL/boost/graph/helpers.h>
 
@@ -124,24 +122,10 @@ private:
                   : "component " + std::to_string(i + 1) + " of " + std::to_string(n) + ": " + message;
   }
 
-  // runs a stage between the calls of the visitor, and measures its time.
   template <typename Stage>
-  Error_code run(const std::string& name, Conversion_report& part, Stage stage)
+  Error_code run(const std::string& name, Conversion_report& part, const Stage& stage)
   {
-    if(!m_visitor.go_further())
-    {
-      part.message = "the visitor interrupted the conversion before the stage '" + name + "'";
-      return Error_code::INTERRUPTED;
-    }
-    m_visitor.on_stage_begin(name);
-    Real_timer timer;
-    timer.start();
-    const Error_code code = stage();
-    part.add_time(name, timer.time());
-    m_visitor.on_stage_end(name, timer.time());
-    if(code != Error_code::OK && part.message.empty())
-      part.message = "stage '" + name + "': " + error_message(code);
-    return code;
+    return run_stage(name, m_visitor, part, stage);
   }
 
   Error_code convert(Component& component, Conversion_report& part)
@@ -155,32 +139,10 @@ private:
       return network.error();
     }
     Quad_layout<Kernel> layout;
-    const Error_code code = compute_layout(component, network, layout, part);
+    const Error_code code
+      = compute_quad_layout(component.mesh, network, layout, part,
+                            parameters::quad_size_map(component.sizes).visitor(std::ref(m_visitor)));
     return code == Error_code::OK ? fit(component, network, layout, part) : code;
-  }
-
-  // the stages before the surface: field, map and layout
-  Error_code compute_layout(const Component& component, const Component_network& network,
-                            Quad_layout<Kernel>& layout, Conversion_report& part)
-  {
-    Cross_field field;
-    Integer_grid_map map;
-    Error_code code = run("cross_field", part, [&]()
-      {
-        return compute_cross_field(component.mesh, network, field,
-                                   parameters::quad_size_map(component.sizes));
-      });
-    if(code == Error_code::OK)
-      code = run("integer_grid_map", part, [&]() { return compute_integer_grid_map(field, map); });
-    if(code != Error_code::OK && !map.message.empty())
-      part.message = map.message;
-    else if(code == Error_code::OK && !map.is_resolved)
-      part.map.fallback = "rectangle composition: " + map.message;
-    if(code == Error_code::OK)
-      code = run("quad_layout", part, [&]()
-        { return extract_quad_layout(map, component.mesh, network, layout); });
-    part.counts.layout_quads = layout.number_of_quads();
-    return code;
   }
 
   // the surface stages; the surface is kept if a tolerance is missed.

@@ -81,6 +81,40 @@ inline void merge_counts(const Conversion_report::Counts& part, Conversion_repor
   whole.bezier_elements += part.bezier_elements;
 }
 
+// the smaller of two figures of which either may not have been measured
+inline double smaller(double a, double b) { return -larger(-a, -b); }
+
+// adds the quality of the layout of a component, with the numbers of quads as weights.
+inline void merge_map(const Conversion_report::Map& part, Conversion_report::Map& whole,
+                      double part_weight, double whole_weight)
+{
+  const auto mean = [part_weight, whole_weight](double& a, double b)
+  { a = weighted_mean(a, whole_weight, b, part_weight); };
+  const auto maximum = [](double& a, double b) { a = larger(a, b); };
+  const auto minimum = [](double& a, double b) { a = smaller(a, b); };
+
+  whole.flipped_triangles += part.flipped_triangles;
+  if(part.fallback != "none")
+    whole.fallback = part.fallback;
+  whole.extraordinary_points += part.extraordinary_points;
+  minimum(whole.min_scaled_jacobian, part.min_scaled_jacobian);
+  mean(whole.mean_angle_deviation_degrees, part.mean_angle_deviation_degrees);
+  maximum(whole.max_angle_deviation_degrees, part.max_angle_deviation_degrees);
+  minimum(whole.min_size_ratio, part.min_size_ratio);
+  mean(whole.mean_size_ratio, part.mean_size_ratio);
+  maximum(whole.max_size_ratio, part.max_size_ratio);
+  mean(whole.mean_singular_value_ratio, part.mean_singular_value_ratio);
+  maximum(whole.max_singular_value_ratio, part.max_singular_value_ratio);
+  mean(whole.mean_area_ratio, part.mean_area_ratio);
+  maximum(whole.max_area_ratio, part.max_area_ratio);
+  mean(whole.mean_kink_degrees, part.mean_kink_degrees);
+  maximum(whole.max_kink_degrees, part.max_kink_degrees);
+  // both numbers of quads divided by the wanted number
+  const double wanted = (whole_weight > 0 ? whole_weight / whole.relative_number_of_quads : 0)
+                        + (part_weight > 0 ? part_weight / part.relative_number_of_quads : 0);
+  whole.relative_number_of_quads = (whole_weight + part_weight) / wanted;
+}
+
 // Adds the report of a connected component to that of the whole: counts and times are summed up,
 // deviations are the largest, means are weighted with the numbers of patches.
 inline void merge_reports(const Conversion_report& part, Conversion_report& whole)
@@ -89,12 +123,11 @@ inline void merge_reports(const Conversion_report& part, Conversion_report& whol
   const double whole_weight = double(whole.counts.patches);
   merge_boundary(part.boundary, whole.boundary, part_weight, whole_weight);
   merge_interior(part.interior, whole.interior, part_weight, whole_weight);
+  merge_map(part.map, whole.map, double(part.counts.layout_quads),
+            double(whole.counts.layout_quads));
   merge_counts(part.counts, whole.counts);
   whole.smoothness.max_normal_angle_degrees
     = larger(whole.smoothness.max_normal_angle_degrees, part.smoothness.max_normal_angle_degrees);
-  whole.map.flipped_triangles += part.map.flipped_triangles;
-  if(part.map.fallback != "none")
-    whole.map.fallback = part.map.fallback;
   whole.iterations.insert(whole.iterations.end(), part.iterations.begin(), part.iterations.end());
   whole.warnings.insert(whole.warnings.end(), part.warnings.begin(), part.warnings.end());
   for(const Conversion_report::Stage& stage : part.stages)

@@ -12,7 +12,7 @@
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
 #include <CGAL/Surface_mesh_spline_conversion/Quad_layout.h>
-#include <CGAL/Surface_mesh_spline_conversion/internal/layout/Mapped_quads.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/layout/Triangle_locator.h>
 
 #include <CGAL/number_utils.h>
 
@@ -44,8 +44,9 @@ inline std::array<double, 3> barycentric_coordinates(const std::array<Eigen::Vec
   return b;
 }
 
-// The inverse map of a layout that has been extracted from an integer grid map.
-template <typename GeomTraits>
+// The inverse map of a layout. `LocateOnWorkingMesh` returns the `Working_location` at the local
+// coordinates of a quad.
+template <typename GeomTraits, typename LocateOnWorkingMesh>
 class Layout_inverse_map
   : public Quad_layout<GeomTraits>::Inverse_map
 {
@@ -56,9 +57,9 @@ public:
   typedef typename Layout::Location Location;
 
   // `input_faces`: the corners of the input faces in the order of `faces(tm)`
-  Layout_inverse_map(Mapped_quads quads, const Working_mesh& mesh,
+  Layout_inverse_map(LocateOnWorkingMesh locate, const Working_mesh& mesh,
                      const std::vector<std::array<Eigen::Vector3d, 3> >& input_faces)
-    : m_quads(std::move(quads)), m_faces(mesh.number_of_faces())
+    : m_locate(std::move(locate)), m_faces(mesh.number_of_faces())
   {
     for(int f = 0; f < mesh.number_of_faces(); ++f)
     {
@@ -74,7 +75,7 @@ public:
 
   Location operator()(std::size_t quad, FT u, FT v) const override
   {
-    const Working_location at = m_quads(quad, CGAL::to_double(u), CGAL::to_double(v));
+    const Working_location at = m_locate(quad, CGAL::to_double(u), CGAL::to_double(v));
     const Face& face = m_faces[at.face];
     Location location;
     location.face = face.parent;
@@ -97,7 +98,7 @@ private:
     std::array<std::array<double, 3>, 3> in_parent; // barycentric coordinates of the corners
   };
 
-  Mapped_quads m_quads;
+  LocateOnWorkingMesh m_locate;
   std::vector<Face> m_faces;
 };
 

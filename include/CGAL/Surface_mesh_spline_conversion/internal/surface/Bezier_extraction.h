@@ -38,9 +38,10 @@ struct Regular_element
   std::size_t first, last; // its functions
 };
 
-// The Bezier elements of all regular faces: each function is spread over the faces of its support
-// by a search through the faces, each face is split at the knots inside, and each function is
-// written in Bernstein form there.
+// The Bezier elements of all patches: each function is spread over the faces of its support by a
+// search through the faces, each face is split at the knots inside, and each function is written in
+// Bernstein form there. On a face with extraordinary corners, these are only the functions of
+// vertices that are no neighbors of these corners, see `Extraordinary_face`.
 template <typename Point>
 class Bezier_extraction
 {
@@ -74,15 +75,18 @@ public:
   {
     const std::size_t faces = mesh.mesh().num_faces();
     m_functions_of_face.resize(faces);
-    m_is_regular_patch.assign(faces, false);
+    m_excluded.resize(faces);
     for(Face f : mesh.mesh().faces())
-      m_is_regular_patch[f] = mesh.is_patch(f) && !mesh.is_extraordinary_face(f);
+      if(mesh.is_patch(f))
+        m_excluded[f] = mesh.extraordinary_neighbors(f);
     for(Vertex v : mesh.mesh().vertices())
       spread(v);
+    elements.reserve(faces);
+    functions.reserve(16 * faces);
     for(Face f : mesh.mesh().faces())
     {
       first_element.push_back(elements.size());
-      if(m_is_regular_patch[f])
+      if(m_mesh.is_patch(f))
         extract(f);
     }
     first_element.push_back(elements.size());
@@ -92,20 +96,7 @@ private:
   void spread(Vertex v)
   {
     if(m_mesh.is_extraordinary(v))
-    {
-      const Halfedge first = m_mesh.opposite(m_mesh.mesh().halfedge(v));
-      Halfedge h = first;
-      do
-      {
-        const Halfedge g = m_mesh.rotated(h);
-        const Ticks back = m_mesh.length(h);
-        spread_quadrant(v, h, 0, {{m_mesh.intervals_along(h), m_mesh.intervals_along(g),
-                                   {{back, back}}, {{back, back}}}});
-        h = g;
-      }
-      while(h != first);
-      return;
-    }
+      return spread_extraordinary(v);
     const auto& star = m_mesh.star(v);
     for(int d = 0; d < 4; ++d)
     {
@@ -122,6 +113,24 @@ private:
     }
   }
 
+  // Between two edges of an extraordinary vertex, the knots behind it are those along the next edge
+  // to the left and to the right: a face outside of the faces around the vertex is near to one of
+  // the two edges only, and does not depend on the knots that belong to the other one.
+  void spread_extraordinary(Vertex v)
+  {
+    const Halfedge first = m_mesh.opposite(m_mesh.mesh().halfedge(v));
+    Halfedge h = first;
+    do
+    {
+      const Halfedge g = m_mesh.rotated(h), right = m_mesh.next(m_mesh.opposite(h));
+      spread_quadrant(v, h, 0, {{m_mesh.intervals_along(h), m_mesh.intervals_along(g),
+                                 m_mesh.intervals_along(m_mesh.rotated(g)),
+                                 m_mesh.intervals_along(right)}});
+      h = g;
+    }
+    while(h != first);
+  }
+
   // spreads the function of `v` over one quadrant of its support, [0, x] times [0, y]; `h` leaves
   // `v` in the direction `turns`, and `intervals` belong to the directions 0 to 3 of the quadrant
   void spread_quadrant(Vertex v, Halfedge h, int turns,
@@ -130,8 +139,13 @@ private:
     const std::array<Ticks, 2> extent = {{intervals[0][0] + intervals[0][1],
                                           intervals[1][0] + intervals[1][1]}};
     for(const Placement& p : m_search(h, turns, extent))
-      if(m_is_regular_patch[p.face])
+      if(m_mesh.is_patch(p.face) && !is_excluded(v, p.face))
         add_function(v, p, intervals);
+  }
+
+  bool is_excluded(Vertex v, Face f) const
+  {
+    return std::binary_search(m_excluded[f].begin(), m_excluded[f].end(), v);
   }
 
   void add_function(Vertex v, const Placement& p,
@@ -154,6 +168,8 @@ private:
     // a face may reach over two quadrants; but on a short closed strip of faces the support of a
     // function may cover a face twice, in different places
     auto& functions_of_face = m_functions_of_face[p.face];
+    if(functions_of_face.empty())
+      functions_of_face.reserve(16); // as many as there are if the face is not cut
     if(std::find(functions_of_face.begin(), functions_of_face.end(), function)
        == functions_of_face.end())
       functions_of_face.push_back(function);
@@ -172,9 +188,30 @@ private:
     return result;
   }
 
+  // one factor of a function on a span, which several functions of a face have in common
+  struct Span_row
+  {
+    Knots knots;
+    std::int64_t begin;
+    Row row;
+  };
+
+  static const Row& row(std::vector<Span_row>& rows, const Knots& knots, std::int64_t begin,
+                        std::int64_t end)
+  {
+    for(const Span_row& r : rows)
+      if(r.begin == begin && r.knots == knots)
+        return r.row;
+    rows.push_back(Span_row{knots, begin,
+                            bezier_row(local_knots(knots), parameter(begin), parameter(end))});
+    return rows.back().row;
+  }
+
   void extract(Face f)
   {
     const std::vector<std::int64_t> u = cuts(f, 0), v = cuts(f, 1);
+    m_rows[0].clear();
+    m_rows[1].clear();
     for(std::size_t j = 0; j + 1 < v.size(); ++j)
       for(std::size_t i = 0; i + 1 < u.size(); ++i)
       {
@@ -188,8 +225,8 @@ private:
           if(is_active(function.knots[0], u[i], u[i + 1])
              && is_active(function.knots[1], v[j], v[j + 1]))
             functions.push_back(Element_function{function.vertex,
-              bezier_row(local_knots(function.knots[0]), element.u0, element.u1),
-              bezier_row(local_knots(function.knots[1]), element.v0, element.v1)});
+              row(m_rows[0], function.knots[0], u[i], u[i + 1]),
+              row(m_rows[1], function.knots[1], v[j], v[j + 1])});
         element.last = functions.size();
         elements.push_back(element);
       }
@@ -217,7 +254,8 @@ private:
   const Mesh& m_mesh;
   Search m_search;
   std::vector<std::vector<Face_function> > m_functions_of_face;
-  std::vector<bool> m_is_regular_patch;
+  std::vector<std::vector<Vertex> > m_excluded; // by face
+  std::array<std::vector<Span_row>, 2> m_rows;   // of the face that is extracted
 };
 
 } // namespace internal

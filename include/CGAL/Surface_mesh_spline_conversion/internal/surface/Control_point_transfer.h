@@ -37,11 +37,12 @@ class Control_point_transfer
   typedef typename Mesh::Halfedge Halfedge;
   typedef typename Mesh::Face Face;
 
-  // a corner or T-vertex of a patch: an edge of the patch that begins at the vertex, and the
-  // direction at the control point in question of the first axis of the patch
+  // a point on the boundary of a patch where the control point in question lies, in the frame of the
+  // patch, and the direction at the control point of the first axis of the patch
   struct Seat
   {
-    Halfedge halfedge;
+    Face face;
+    std::array<Ticks, 2> position;
     int direction;
   };
 
@@ -99,8 +100,9 @@ private:
     std::vector<Seat> seats;
     collect_seats(v, v, 0, seats);
     Point_3 result = m_mesh.mesh().point(v);
+    const bool is_inside = !m_mesh.star(v).is_border;
     for(const Seat& seat : seats)
-      if(m_mesh.source(seat.halfedge) == v && subdivide(v, seat, result))
+      if(is_inside && subdivide(v, seat, result))
         return result;
     if(m_mesh.is_extraordinary(v))
       return result;
@@ -122,12 +124,15 @@ private:
     do
     {
       if(!m_mesh.is_border(h) && m_mesh.is_patch(m_mesh.face(h)))
-        seats.push_back(Seat{h, m_mesh.direction(h) - m_mesh.side(h) - turns});
+        seats.push_back(Seat{m_mesh.face(h), m_mesh.local_source(h),
+                             m_mesh.direction(h) - m_mesh.side(h) - turns});
       h = m_mesh.rotated(h);
     }
     while(h != first);
     if(!seats.empty())
       return;
+    if(m_mesh.star(w).is_T)
+      return add_seat_behind_channel(w, turns, seats);
     // a corner of the crossing of two channels reaches row 1 by way of another vertex of row 0
     const auto& star = m_mesh.star(w);
     const Halfedge radial = star.out[star.quarter_turns == 1 ? 0 : 1];
@@ -135,11 +140,21 @@ private:
     collect_seats(v, m_mesh.target(radial), turns + next_turns, seats);
   }
 
+  // adds the point of a patch next to a T-vertex of row 0, whose direction 0 is that of the boundary
+  void add_seat_behind_channel(Vertex w, int turns, std::vector<Seat>& seats) const
+  {
+    const Halfedge h = m_mesh.star(w).into[1];
+    const Halfedge row_1 = m_mesh.opposite(m_mesh.first_of_side(m_mesh.face(h), 2));
+    const Face f = m_mesh.face(row_1);
+    const Ticks x = m_mesh.offset(row_1) + m_mesh.offset(h) + m_mesh.length(h);
+    seats.push_back(Seat{f, m_mesh.local_position(f, m_mesh.side(row_1), x),
+                         -m_mesh.side(row_1) - turns});
+  }
+
   Site site(Vertex v, const Seat& seat) const
   {
-    const Face f = m_mesh.face(seat.halfedge);
-    const Face_origin& origin = m_mesh.origin(f);
-    const std::array<Ticks, 2> local = m_mesh.local_source(seat.halfedge);
+    const Face_origin& origin = m_mesh.origin(seat.face);
+    const std::array<Ticks, 2>& local = seat.position;
     Site result;
     for(int axis = 0; axis < 2; ++axis)
     {
@@ -160,7 +175,7 @@ private:
   // corner, in the middle of a side, or in the center of it, and the patch was quadrisected.
   bool subdivide(Vertex v, const Seat& seat, Point_3& result) const
   {
-    const Face f = m_mesh.face(seat.halfedge);
+    const Face f = seat.face;
     const Face_origin& origin = m_mesh.origin(f);
     const std::size_t i = m_old_basis.patch_at(origin.quad,
       0.5 * (to_parameter(origin.first[0]) + to_parameter(origin.last[0])),
@@ -170,7 +185,7 @@ private:
        || 2 * to_parameter(m_mesh.extent(f, 0)) != patch.u1 - patch.u0
        || 2 * to_parameter(m_mesh.extent(f, 1)) != patch.v1 - patch.v0)
       return false;
-    const std::array<Ticks, 2> local = m_mesh.local_source(seat.halfedge);
+    const std::array<Ticks, 2>& local = seat.position;
     const int a = int(std::lround(2 * (to_parameter(origin.first[0] + local[0]) - patch.u0)
                                   / (patch.u1 - patch.u0)));
     const int b = int(std::lround(2 * (to_parameter(origin.first[1] + local[1]) - patch.v0)
@@ -181,9 +196,13 @@ private:
     else if(a == 1 || b == 1)
       result = point(face, face.refined_edges.row(b == 0 ? 0 : (a == 2 ? 1 : (b == 2 ? 2 : 3))));
     else if(m_mesh.is_extraordinary(v))
+    {
       result = point(face, face.refined_corners.row(b == 0 ? (a == 0 ? 0 : 1) : (a == 0 ? 3 : 2)));
+      return true; // no other function contributes
+    }
     else
       return false;
+    result = result + blossom_of_functions(site(v, seat));
     return true;
   }
 
@@ -207,7 +226,16 @@ private:
     if(patch.extraordinary != no_index)
       return evaluate_blossom_of_quarter(s, patch, u / (patch.u1 - patch.u0),
                                          v / (patch.v1 - patch.v0), result);
-    const Regular_element& e = m_old_basis.element_at(patch, u, v);
+    result = ORIGIN + blossom_of_functions(s);
+    return true;
+  }
+
+  // the contribution of the functions of a patch, in the product form, to a new control point
+  Vector_3 blossom_of_functions(const Site& s) const
+  {
+    const Patch& patch = m_old_basis.patch(s.patch);
+    const Regular_element& e
+      = m_old_basis.element_at(patch, s.nearby[0] - patch.u0, s.nearby[1] - patch.v0);
     const Row wu = weights(s.knots[0], patch.u0 + e.u0, patch.u0 + e.u1);
     const Row wv = weights(s.knots[1], patch.v0 + e.v0, patch.v0 + e.v1);
     Vector_3 p = NULL_VECTOR;
@@ -216,8 +244,7 @@ private:
       const Element_function& f = m_old_basis.function(i);
       p = p + dot(wu, f.u) * dot(wv, f.v) * (old_point(f.control_point) - ORIGIN);
     }
-    result = ORIGIN + p;
-    return true;
+    return p;
   }
 
   // in an extraordinary patch, only the quarters at regular corners are polynomials
@@ -243,7 +270,7 @@ private:
     for(int j = 0; j < 4; ++j)
       for(int i = 0; i < 4; ++i)
         stencil += ws[i] * wt[j] * bezier.row(4 * j + i);
-    result = point(face, stencil);
+    result = point(face, stencil) + blossom_of_functions(s);
     return true;
   }
 

@@ -59,6 +59,12 @@ typedef Eigen::Matrix<double, 6, Eigen::Dynamic, Eigen::RowMajor> Basis_matrix;
 // A face of the T-mesh with one to four extraordinary corners: the limit of the subdivision rules
 // of Catmull and Clark, as linear functionals of the control points.
 //
+// Only the functions of the vertices of the faces around the extraordinary corners are treated here.
+// That of any other vertex is a product of two splines on the face, because it vanishes to the
+// third order along a line through the extraordinary corner; it is left to `Bezier_extraction`.
+// Therefore T-vertices do no harm unless they touch the faces around the extraordinary corners or
+// the edges that leave these.
+//
 // The first subdivision is done with the knot intervals at hand: regular control points are refined
 // by knot insertion in their local knot vectors, so zero intervals stay zero, and extraordinary
 // points by the rule for valence n. Then every quarter of the face has at most one extraordinary
@@ -147,18 +153,6 @@ public:
   // bicubic piece: exact in position and normal derivative along the two sides away from the
   // corner, exact in position in the middle and in the middle of the other sides
   Stencil_matrix bezier_at_extraordinary_point(int corner, int level) const;
-
-  // checks that the stencils sum up to one
-  bool is_valid(double tolerance) const
-  {
-    for(const Face_quarter& quarter : quarters)
-    {
-      const Stencil_matrix& m = quarter.table == nullptr ? quarter.bezier : quarter.net;
-      if(!((m.rowwise().sum().array() - 1).abs().maxCoeff() <= tolerance))
-        return false;
-    }
-    return true;
-  }
 
   // evaluates the basis at (u, v) in [0,1]^2 up to the derivatives of the given order
   void evaluate(double u, double v, int order, Basis_matrix& result) const
@@ -289,10 +283,15 @@ public:
   Extraordinary_face_builder(const Mesh& mesh, Catmull_clark_tables& tables)
     : m_mesh(mesh), m_tables(tables) {}
 
-  // \pre there is no T-vertex on the faces around the corners of `f`
+  // \pre no edge of the faces around the extraordinary corners of `f`, nor one that leaves these
+  //      faces, is split
   Extraordinary_face operator()(Face f)
   {
-    collect_control_points(f);
+    m_face_points.clear();
+    m_control_points = m_mesh.extraordinary_neighbors(f);
+    m_sides[0] = m_mesh.halfedge(f);
+    for(int c = 1; c < 4; ++c)
+      m_sides[c] = m_mesh.next(m_sides[c - 1]);
     Extraordinary_face result;
     for(Vertex v : m_control_points)
       result.control_points.push_back(v);
@@ -311,32 +310,12 @@ public:
   }
 
 private:
-  void collect_control_points(Face f)
+  // adds a multiple of a control point, if it is among those treated here
+  void add(Stencil& stencil, Vertex v, double factor) const
   {
-    m_control_points.clear();
-    m_face_points.clear();
-    Halfedge h = m_mesh.halfedge(f);
-    for(int c = 0; c < 4; ++c, h = m_mesh.next(h))
-    {
-      m_sides[c] = h;
-      Halfedge spoke = h;
-      do
-      {
-        for(Halfedge g : m_mesh.mesh().halfedges_around_face(spoke))
-          m_control_points.push_back(m_mesh.source(g));
-        spoke = m_mesh.rotated(spoke);
-      }
-      while(spoke != h);
-    }
-    std::sort(m_control_points.begin(), m_control_points.end());
-    m_control_points.erase(std::unique(m_control_points.begin(), m_control_points.end()),
-                           m_control_points.end());
-  }
-
-  Eigen::Index column(Vertex v) const
-  {
-    return std::lower_bound(m_control_points.begin(), m_control_points.end(), v)
-           - m_control_points.begin();
+    const auto it = std::lower_bound(m_control_points.begin(), m_control_points.end(), v);
+    if(it != m_control_points.end() && *it == v)
+      stencil[it - m_control_points.begin()] += factor;
   }
 
   Stencil zero() const
@@ -345,6 +324,12 @@ private:
   }
 
   double interval(Halfedge h) const { return to_parameter(m_mesh.length(h)); }
+
+  // the extent of the face of `h` perpendicular to `h`
+  double width(Halfedge h) const
+  {
+    return to_parameter(m_mesh.extent(m_mesh.face(h), 1 - (m_mesh.side(h) & 1)));
+  }
 
   // The weight of the source of `h` in the midpoint of `h`: knot insertion at the middle of the
   // interval d, between the intervals `before` and `behind`.
@@ -367,17 +352,18 @@ private:
       return it->second;
     Stencil stencil = zero();
     for(Halfedge h : m_mesh.mesh().halfedges_around_face(m_mesh.halfedge(f)))
-      stencil[column(m_mesh.source(h))] += weight(h) * weight(m_mesh.opposite(m_mesh.prev(h)));
+      if(m_mesh.is_corner(m_mesh.prev(h)))
+        add(stencil, m_mesh.source(h), weight(h) * weight(m_mesh.opposite(m_mesh.prev(h))));
     return m_face_points.emplace(f, stencil).first->second;
   }
 
   Stencil edge_point(Halfedge h)
   {
     const Halfedge o = m_mesh.opposite(h);
-    const double left = interval(m_mesh.next(h)), right = interval(m_mesh.next(o));
+    const double left = width(h), right = width(o);
     Stencil stencil = zero();
-    stencil[column(m_mesh.source(h))] += weight(h) / 2;
-    stencil[column(m_mesh.target(h))] += weight(o) / 2;
+    add(stencil, m_mesh.source(h), weight(h) / 2);
+    add(stencil, m_mesh.target(h), weight(o) / 2);
     stencil += (right * face_point(m_mesh.face(h)) + left * face_point(m_mesh.face(o)))
                / (2 * (left + right));
     return stencil;
@@ -403,7 +389,7 @@ private:
     }
     while(g != h);
     stencil /= n;
-    stencil[column(m_mesh.source(h))] += n - 3;
+    add(stencil, m_mesh.source(h), n - 3);
     return stencil / n;
   }
 
@@ -417,7 +403,7 @@ private:
       w[d] = other / (same + other);
     }
     Stencil stencil = zero();
-    stencil[column(v)] += 0.25;
+    add(stencil, v, 0.25);
     for(int d = 0; d < 4; ++d)
       stencil += 0.5 * w[d] * edge_point(out[d])
                  - 0.25 * w[d] * w[(d + 1) & 3] * face_point(m_mesh.face(out[d]));

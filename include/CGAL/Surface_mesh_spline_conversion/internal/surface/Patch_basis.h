@@ -93,7 +93,8 @@ public:
     return m_extraordinary_faces[patch.extraordinary];
   }
 
-  // the regular elements of a patch are numbered from first_element() to last_element()
+  // The elements of a patch are numbered from first_element() to last_element(); in an extraordinary
+  // patch, those functions are added to that of its `extraordinary_face()`.
   std::size_t first_element(const Patch& patch) const { return m_first_element[patch.face]; }
   std::size_t last_element(const Patch& patch) const { return m_first_element[patch.face + 1]; }
   const Regular_element& element(std::size_t i) const { return m_elements[i]; }
@@ -105,9 +106,8 @@ public:
   void evaluate(std::size_t i, double u, double v, int order, const Visitor& visit) const
   {
     const Patch& patch = m_patches[i];
-    if(patch.extraordinary == no_index)
-      evaluate_regular(patch, u - patch.u0, v - patch.v0, order, visit);
-    else
+    evaluate_regular(patch, u - patch.u0, v - patch.v0, order, visit);
+    if(patch.extraordinary != no_index)
       evaluate_extraordinary(patch, u, v, order, visit);
   }
 

@@ -27,13 +27,11 @@ namespace Surface_mesh_spline_conversion {
 namespace internal {
 
 // Refines a T-mesh by bisecting faces, such that the result is analysis-suitable and graded:
-//  - a face of a 0-channel has no T-vertex: row 1 is split together with row 0;
-//  - the splits of the boundary are carried two bays inwards;
-//  - neighboring intervals of row 0 differ at most by a factor of two, a side of a face has at most
-//    two parts, and a face is at most four times as long as wide;
-//  - the patch at a convex corner is a square;
-//  - around an extraordinary point, the closed two-ring has equal intervals and no T-vertex: where
-//    this does not hold, the ring is quadrisected;
+//  - row 0 has all knots of row 1, but may have more: its functions reach one bay inwards only;
+//  - neighboring intervals of row 0 differ at most by a factor of two, a side of a patch has at most
+//    two parts, and a patch is at most four times as long as wide;
+//  - the faces around an extraordinary point, and the edges that leave them, have equal lengths or
+//    the length zero, and no T-vertex: where this does not hold, these faces are quadrisected;
 //  - extensions of T-junctions do not cross: one of the two is extended by one bay.
 // All rules only split faces, down to the finest size there is, hence the process ends.
 template <typename Point>
@@ -64,6 +62,13 @@ public:
       m_marks.emplace_back(f, axis);
   }
 
+  // marks an edge of row 0 to be bisected, given by its halfedge inside
+  void mark_boundary(Halfedge h)
+  {
+    if(size(h) > 1)
+      m_boundary_marks.push_back(h);
+  }
+
   // bisects the marked faces and restores all rules; \pre the mesh is up to date
   void run()
   {
@@ -74,10 +79,10 @@ public:
       mark_boundary_grading();
       mark_patches();
       mark_extraordinary_points();
-      if(m_marks.empty())
+      if(m_marks.empty() && m_boundary_marks.empty())
         mark_crossings();
     }
-    while(!m_marks.empty());
+    while(!m_marks.empty() || !m_boundary_marks.empty());
   }
 
 private:
@@ -86,6 +91,7 @@ private:
 
   void apply_marks()
   {
+    split_boundary_edges();
     std::sort(m_marks.begin(), m_marks.end());
     m_marks.erase(std::unique(m_marks.begin(), m_marks.end()), m_marks.end());
     for(std::size_t i = 0; i < m_marks.size(); ++i)
@@ -101,6 +107,21 @@ private:
     }
     m_marks.clear();
     m_mesh.update();
+  }
+
+  void split_boundary_edges()
+  {
+    std::sort(m_boundary_marks.begin(), m_boundary_marks.end());
+    m_boundary_marks.erase(std::unique(m_boundary_marks.begin(), m_boundary_marks.end()),
+                           m_boundary_marks.end());
+    for(Halfedge h : m_boundary_marks)
+    {
+      const Ticks begin = m_mesh.origin(m_mesh.face(h)).first[0] + m_mesh.offset(h);
+      const std::int64_t sum
+        = rounded_parameter(begin) + rounded_parameter(begin + m_mesh.length(h));
+      m_mesh.split_edge(h, (Ticks(sum) << (parameter_bits - 1)) - begin);
+    }
+    m_boundary_marks.clear();
   }
 
   // the number of parts of positive length of a side
@@ -130,71 +151,24 @@ private:
           g = m_mesh.opposite(m_mesh.prev(m_mesh.opposite(g)));
         while(size(g) == 0);
         if(size(h) > 2 * size(g))
-          mark(m_mesh.face(h), 0);
+          mark_boundary(h);
         if(size(g) > 2 * size(h))
-          mark(m_mesh.face(g), 0);
+          mark_boundary(g);
       }
   }
 
   void mark_patches()
   {
     for(Face f : m_mesh.mesh().faces())
-    {
-      if(m_mesh.origin(f).kind == Face_origin::CORNER)
-        mark_convex_corner(f);
-      if(!m_mesh.is_patch(f))
-        continue;
-      for(int axis = 0; axis < 2; ++axis)
-        if(size(f, axis) > maximum_aspect * size(f, 1 - axis))
-          mark(f, axis);
-      for(int side = 0; side < 4; ++side)
+      if(m_mesh.is_patch(f))
       {
-        const int parts = parts_of_side(f, side);
-        if(parts > 2)
-          mark(f, side & 1);
-        if(is_on_channel(f, side))
-          mark_bays(f, side, parts);
+        for(int axis = 0; axis < 2; ++axis)
+          if(size(f, axis) > maximum_aspect * size(f, 1 - axis))
+            mark(f, axis);
+        for(int side = 0; side < 4; ++side)
+          if(parts_of_side(f, side) > 2)
+            mark(f, side & 1);
       }
-    }
-  }
-
-  bool is_on_channel(Face f, int side) const
-  {
-    return m_mesh.origin(m_mesh.face(m_mesh.opposite(m_mesh.first_of_side(f, side)))).kind
-           == Face_origin::CHANNEL;
-  }
-
-  // the patch `f` on the boundary, and the patches behind it, follow the intervals of row 1
-  void mark_bays(Face f, int side, int parts)
-  {
-    if(parts > 1)
-      mark(f, side & 1);
-    const int opposite_side = (side + 2) & 3;
-    for(Halfedge h : m_mesh.mesh().halfedges_around_face(m_mesh.halfedge(f)))
-    {
-      const Halfedge o = m_mesh.opposite(h);
-      const Face g = m_mesh.face(o);
-      if(m_mesh.side(h) == opposite_side && m_mesh.is_patch(g)
-         && parts_of_side(g, m_mesh.side(o)) > 1)
-        mark(g, m_mesh.side(o) & 1);
-    }
-  }
-
-  void mark_convex_corner(Face corner)
-  {
-    for(Halfedge h : m_mesh.mesh().halfedges_around_face(m_mesh.halfedge(corner)))
-    {
-      // of its four vertices, only the one on row 1 has four edges
-      const auto& star = m_mesh.star(m_mesh.source(h));
-      if(star.is_border)
-        continue;
-      for(int d = 0; d < 4; ++d)
-      {
-        const Face f = m_mesh.face(star.out[d]);
-        if(m_mesh.is_patch(f) && size(f, 0) != size(f, 1))
-          mark(f, size(f, 0) > size(f, 1) ? 0 : 1);
-      }
-    }
   }
 
   void mark_extraordinary_points()
@@ -211,14 +185,14 @@ private:
       }
   }
 
-  // checks that the intervals are not larger than the unit within four units of the extraordinary
-  // point (its closed two-ring before the unit was halved), and marks the faces where they are
+  // checks that the faces within two units of the extraordinary point (the faces around it before
+  // the unit was halved) are not larger than the unit, and marks those that are
   bool is_region_fine(Vertex v)
   {
     const std::int64_t unit = m_units[v];
     if(unit == rounded_parameter(unit_ticks))
       return true;
-    const Ticks extent = (4 * unit) << parameter_bits;
+    const Ticks extent = (2 * unit) << parameter_bits;
     bool is_fine = true;
     Face_search<Point> search(m_mesh);
     for(Halfedge h : m_mesh.mesh().halfedges_around_target(m_mesh.mesh().halfedge(v)))
@@ -232,26 +206,34 @@ private:
     return is_fine;
   }
 
-  // checks the closed two-ring of an extraordinary point
+  // checks the faces around an extraordinary point and the edges that leave them
   bool is_ring_regular(Vertex v) const
   {
     for(Halfedge h : m_mesh.mesh().halfedges_around_target(m_mesh.mesh().halfedge(v)))
-      for(Halfedge g : m_mesh.mesh().halfedges_around_face(h))
-        for(Halfedge e : m_mesh.mesh().halfedges_around_target(g))
-          if(!m_mesh.is_border(e) && !is_face_regular(m_mesh.face(e), m_units[v]))
-            return false;
+    {
+      if(!is_square(m_mesh.face(h), m_units[v]))
+        return false;
+      for(Vertex w : m_mesh.mesh().vertices_around_face(h))
+        if(!m_mesh.is_extraordinary(w) && !is_uniform(w, m_units[v]))
+          return false;
+    }
     return true;
   }
 
-  bool is_face_regular(Face f, std::int64_t unit) const
+  bool is_square(Face f, std::int64_t unit) const
   {
-    const Face_origin::Kind kind = m_mesh.origin(f).kind;
-    if(kind == Face_origin::CORNER)
-      return true;
-    if(size(f, 0) != unit || (kind == Face_origin::PATCH && size(f, 1) != unit))
+    return size(f, 0) == unit && size(f, 1) == unit
+           && m_mesh.mesh().degree(f) == 4;
+  }
+
+  // checks that the four edges have the length of the unit or lead across a 0-channel
+  bool is_uniform(Vertex v, std::int64_t unit) const
+  {
+    const auto& star = m_mesh.star(v);
+    if(star.is_T)
       return false;
-    for(Halfedge h : m_mesh.mesh().halfedges_around_face(m_mesh.halfedge(f)))
-      if(!m_mesh.is_corner(h) || m_mesh.star(m_mesh.target(h)).is_T)
+    for(Halfedge h : star.out)
+      if(size(h) != unit && size(h) != 0)
         return false;
     return true;
   }
@@ -282,33 +264,55 @@ private:
     for(std::size_t i : order)
     {
       const auto& junction = junctions[i];
-      const bool do_extend = is_extensible(junction);
+      const int rank = rank_of_extension(junction);
       bool is_waiting = is_settled[i];
       for(std::size_t j : junction.crossings)
-        if(!do_extend && is_extensible(junctions[j]))
+        if(rank < rank_of_extension(junctions[j]))
           is_waiting = true;
       if(is_waiting)
         continue;
-      // the line above a corner on a regular vertex can only be shortened
-      const Halfedge h = m_mesh.star(junction.vertex).into[junction.direction];
-      const int axis = m_mesh.side(h) & 1;
-      mark(m_mesh.face(h), do_extend ? axis : 1 - axis);
+      if(rank == 0)
+        shorten(junction);
+      else
+        extend(junction);
       for(std::size_t j : junction.crossings)
         is_settled[j] = true;
     }
   }
 
-  // is the T-junction in the middle of the side of a patch?
-  bool is_extensible(const typename T_junction_extensions<Point>::T_junction& junction) const
+  typedef typename T_junction_extensions<Point>::T_junction T_junction;
+
+  // Which of two T-junctions is to be extended? That of higher rank: 2 within a patch, 1 on row 0, 0
+  // if it belongs to a multiple knot at a corner, which cannot be extended.
+  int rank_of_extension(const T_junction& junction) const
   {
     const Halfedge h = m_mesh.star(junction.vertex).into[junction.direction];
+    const Face f = m_mesh.face(h);
     const std::int64_t position = rounded_parameter(m_mesh.offset(h) + m_mesh.length(h));
-    return 0 < position && position < size(m_mesh.face(h), m_mesh.side(h) & 1);
+    if(position == 0 || position == size(f, m_mesh.side(h) & 1))
+      return 0;
+    return m_mesh.is_patch(f) ? 2 : 1;
+  }
+
+  void extend(const T_junction& junction)
+  {
+    const Halfedge h = m_mesh.star(junction.vertex).into[junction.direction];
+    mark(m_mesh.face(h), m_mesh.side(h) & 1);
+  }
+
+  // halves the bay above a corner
+  void shorten(const T_junction& junction)
+  {
+    Halfedge h = m_mesh.star(junction.vertex).into[junction.direction];
+    if(!m_mesh.is_patch(m_mesh.face(h)))
+      h = m_mesh.opposite(m_mesh.first_of_side(m_mesh.face(h), 2));
+    mark(m_mesh.face(h), 1 - (m_mesh.side(h) & 1));
   }
 
   Mesh& m_mesh;
   std::vector<std::int64_t>& m_units;
   std::vector<Mark> m_marks;
+  std::vector<Halfedge> m_boundary_marks;
 };
 
 } // namespace internal

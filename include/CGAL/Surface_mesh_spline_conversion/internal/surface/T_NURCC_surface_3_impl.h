@@ -91,11 +91,25 @@ void T_NURCC_surface_3<K>::refine_uniformly()
 template <typename K>
 void T_NURCC_surface_3<K>::refine(const std::vector<size_type>& patches)
 {
+  std::vector<Patch_split> splits;
+  for(size_type i : patches)
+    splits.push_back(Patch_split{i, true, true});
+  refine(splits);
+}
+
+template <typename K>
+void T_NURCC_surface_3<K>::refine(const std::vector<Patch_split>& splits)
+{
   refine_marked([&, this](Closure& closure)
   {
-    for(size_type i : patches)
-      for(int axis = 0; axis < 2; ++axis)
-        closure.mark(Face(typename Control_mesh::size_type(m_basis.patch(i).face)), axis);
+    for(const Patch_split& split : splits)
+    {
+      const Face f(typename Control_mesh::size_type(m_basis.patch(split.patch).face));
+      if(split.u)
+        closure.mark(f, 0);
+      if(split.v)
+        closure.mark(f, 1);
+    }
   });
 }
 
@@ -128,7 +142,7 @@ void T_NURCC_surface_3<K>::mark_spans(const std::vector<Boundary_span>& spans,
       const double x1 = to_parameter(x);
       for(const Boundary_span* span : spans_of_chain)
         if(x0 < x1 && CGAL::to_double(span->x0) < x1 && x0 < CGAL::to_double(span->x1))
-          closure.mark(m_mesh.face(h), 0);
+          closure.mark_boundary(h);
       v = m_mesh.target(h);
     }
     while(v != m_chain_starts[c] && (m_chain_is_closed[c] || !is_chain_end(v)));
@@ -143,10 +157,11 @@ T_NURCC_surface_3<K>::bezier_elements(int levels) const
   for(size_type i = 0; i < number_of_patches(); ++i)
   {
     const Patch& patch = m_basis.patch(i);
-    for(size_type e = m_basis.first_element(patch); e < m_basis.last_element(patch); ++e)
-      result.push_back(regular_element(i, m_basis.element(e)));
     if(is_extraordinary_patch(i))
       add_extraordinary_elements(i, (std::max)(levels, 1), result);
+    else
+      for(size_type e = m_basis.first_element(patch); e < m_basis.last_element(patch); ++e)
+        result.push_back(regular_element(i, m_basis.element(e)));
   }
   return result;
 }
@@ -160,20 +175,33 @@ T_NURCC_surface_3<K>::regular_element(size_type i, const Regular_element& e) con
                         false, {}};
   std::array<Vector_3, 16> points;
   points.fill(NULL_VECTOR);
+  add_functions(e, Rectangle{e.u0, e.v0, e.u1, e.v1}, points);
+  for(int k = 0; k < 16; ++k)
+    result.points[k] = ORIGIN + points[k];
+  return result;
+}
+
+// adds the functions of element `e` to the Bezier points on the rectangle `r`, in coordinates of the
+// face
+template <typename K>
+void T_NURCC_surface_3<K>::add_functions(const Regular_element& e, const Rectangle& r,
+                                         std::array<Vector_3, 16>& points) const
+{
+  namespace internal = Surface_mesh_spline_conversion::internal;
+  const double du = e.u1 - e.u0, dv = e.v1 - e.v0;
   for(size_type f = e.first; f < e.last; ++f)
   {
     const auto& function = m_basis.function(f);
+    const internal::Row u = internal::restricted(function.u, (r.u0 - e.u0) / du, (r.u1 - e.u0) / du);
+    const internal::Row v = internal::restricted(function.v, (r.v0 - e.v0) / dv, (r.v1 - e.v0) / dv);
     const Vector_3 p = control_point(function.control_point) - ORIGIN;
     for(int j = 0; j < 4; ++j)
       for(int k = 0; k < 4; ++k)
       {
-        const FT weight = function.u[k] * function.v[j];
+        const FT weight = u[k] * v[j];
         points[4 * j + k] = points[4 * j + k] + weight * p;
       }
   }
-  for(int k = 0; k < 16; ++k)
-    result.points[k] = ORIGIN + points[k];
-  return result;
 }
 
 // multiplies a stencil with the control points of an extraordinary face
@@ -191,9 +219,9 @@ T_NURCC_surface_3<K>::stencil_point(const Extraordinary_face& face,
 
 // turns the Bezier points of a piece at `corner` of a face into the frame of the face
 template <typename K>
-void T_NURCC_surface_3<K>::turn(int corner, std::array<Point_3, 16>& points)
+void T_NURCC_surface_3<K>::turn(int corner, std::array<Vector_3, 16>& points)
 {
-  const std::array<Point_3, 16> p = points;
+  const std::array<Vector_3, 16> p = points;
   for(int j = 0; j < 4; ++j)
     for(int i = 0; i < 4; ++i)
       switch(corner)
@@ -205,87 +233,143 @@ void T_NURCC_surface_3<K>::turn(int corner, std::array<Point_3, 16>& points)
       }
 }
 
-// the rectangle [s0, s1] x [t0, t1] of the quarter at `corner`, in the quad of the layout
+// the rectangle [s0, s1] x [t0, t1] of the quarter at `corner`, in coordinates of the patch
 template <typename K>
-typename T_NURCC_surface_3<K>::Patch_origin
+typename T_NURCC_surface_3<K>::Rectangle
 T_NURCC_surface_3<K>::quarter_rectangle(const Patch& patch, int corner, double s0, double t0,
                                         double s1, double t1)
 {
   const std::array<double, 2> p = Extraordinary_face::to_face(corner, s0, t0);
   const std::array<double, 2> q = Extraordinary_face::to_face(corner, s1, t1);
   const double du = patch.u1 - patch.u0, dv = patch.v1 - patch.v0;
-  return Patch_origin{patch.quad, patch.u0 + du * (std::min)(p[0], q[0]),
-                      patch.v0 + dv * (std::min)(p[1], q[1]), patch.u0 + du * (std::max)(p[0], q[0]),
-                      patch.v0 + dv * (std::max)(p[1], q[1])};
+  return Rectangle{du * (std::min)(p[0], q[0]), dv * (std::min)(p[1], q[1]),
+                   du * (std::max)(p[0], q[0]), dv * (std::max)(p[1], q[1])};
 }
 
 template <typename K>
 void T_NURCC_surface_3<K>::add_extraordinary_elements(size_type i, int levels,
                                                       std::vector<Bezier_element>& out) const
 {
-  typedef Surface_mesh_spline_conversion::internal::Stencil_matrix Stencil_matrix;
-  const Patch& patch = m_basis.patch(i);
-  const auto& face = m_basis.extraordinary_face(patch);
-  auto add = [&](int corner, const Stencil_matrix& m, double s0, double t0, double size)
-  {
-    const Patch_origin r = quarter_rectangle(patch, corner, s0, t0, s0 + size, t0 + size);
-    Bezier_element element{i, r.u0, r.v0, r.u1, r.v1, false, {}};
-    for(int k = 0; k < 16; ++k)
-      element.points[k] = stencil_point(face, m.row(k));
-    turn(corner, element.points);
-    out.push_back(element);
-  };
+  const auto& face = m_basis.extraordinary_face(m_basis.patch(i));
   for(int corner = 0; corner < 4; ++corner)
   {
     if(face.quarters[corner].table == nullptr)
     {
-      add(corner, face.bezier(corner, 0, 0), 0, 0, 1);
+      add_piece(i, corner, face.bezier(corner, 0, 0), {{0, 0}}, 1, out);
       continue;
     }
     double size = 1;
     for(int level = 1; level < levels; ++level)
     {
       size /= 2;
-      add(corner, face.bezier(corner, level, 0), size, 0, size);
-      add(corner, face.bezier(corner, level, 1), size, size, size);
-      add(corner, face.bezier(corner, level, 2), 0, size, size);
+      add_piece(i, corner, face.bezier(corner, level, 0), {{size, 0}}, size, out);
+      add_piece(i, corner, face.bezier(corner, level, 1), {{size, size}}, size, out);
+      add_piece(i, corner, face.bezier(corner, level, 2), {{0, size}}, size, out);
     }
-    add(corner, face.bezier_at_extraordinary_point(corner, levels), 0, 0, size);
-    out.back().is_extraordinary = true;
+    add_last_piece(i, corner, levels, size, out);
   }
 }
 
+// Adds the square [s, s+size] x [t, t+size] of the quarter at `corner` of an extraordinary patch, cut
+// in pieces where the functions of the patch are. `stencils` has the Bezier points of its
+// Catmull-Clark part.
+template <typename K>
+void T_NURCC_surface_3<K>::add_piece(size_type i, int corner, const Stencil_matrix& stencils,
+                                     const std::array<double, 2>& st, double size,
+                                     std::vector<Bezier_element>& out) const
+{
+  namespace internal = Surface_mesh_spline_conversion::internal;
+  const Patch& patch = m_basis.patch(i);
+  const std::array<Vector_3, 16> points = piece_points(i, corner, stencils);
+  const Rectangle r = quarter_rectangle(patch, corner, st[0], st[1], st[0] + size, st[1] + size);
+  for(size_type e = m_basis.first_element(patch); e < m_basis.last_element(patch); ++e)
+  {
+    const Regular_element& element = m_basis.element(e);
+    const Rectangle part = {(std::max)(r.u0, element.u0), (std::max)(r.v0, element.v0),
+                            (std::min)(r.u1, element.u1), (std::min)(r.v1, element.v1)};
+    if(part.u0 >= part.u1 || part.v0 >= part.v1)
+      continue;
+    std::array<Vector_3, 16> sum;
+    sum.fill(NULL_VECTOR);
+    std::array<internal::Row, 4> wu, wv;
+    for(int k = 0; k < 4; ++k)
+    {
+      const internal::Row unit = {{k == 0 ? 1. : 0., k == 1 ? 1. : 0., k == 2 ? 1. : 0.,
+                                   k == 3 ? 1. : 0.}};
+      wu[k] = internal::restricted(unit, (part.u0 - r.u0) / (r.u1 - r.u0),
+                                   (part.u1 - r.u0) / (r.u1 - r.u0));
+      wv[k] = internal::restricted(unit, (part.v0 - r.v0) / (r.v1 - r.v0),
+                                   (part.v1 - r.v0) / (r.v1 - r.v0));
+    }
+    for(int k = 0; k < 16; ++k)
+      for(int l = 0; l < 16; ++l)
+        sum[k] = sum[k] + FT(wu[l & 3][k & 3] * wv[l >> 2][k >> 2]) * points[l];
+    add_functions(element, part, sum);
+    add_element(i, part, false, sum, out);
+  }
+}
+
+// adds the square of the given size at an extraordinary corner
+template <typename K>
+void T_NURCC_surface_3<K>::add_last_piece(size_type i, int corner, int levels, double size,
+                                          std::vector<Bezier_element>& out) const
+{
+  const Patch& patch = m_basis.patch(i);
+  const auto& face = m_basis.extraordinary_face(patch);
+  std::array<Vector_3, 16> points
+    = piece_points(i, corner, face.bezier_at_extraordinary_point(corner, levels));
+  const Rectangle r = quarter_rectangle(patch, corner, 0, 0, size, size);
+  const std::array<double, 2> center
+    = {{(r.u0 + r.u1) / 2, (r.v0 + r.v1) / 2}};
+  add_functions(m_basis.element_at(patch, center[0], center[1]), r, points);
+  add_element(i, r, true, points, out);
+}
+
+template <typename K>
+std::array<typename K::Vector_3, 16>
+T_NURCC_surface_3<K>::piece_points(size_type i, int corner, const Stencil_matrix& stencils) const
+{
+  const auto& face = m_basis.extraordinary_face(m_basis.patch(i));
+  std::array<Vector_3, 16> points;
+  for(int k = 0; k < 16; ++k)
+    points[k] = stencil_point(face, stencils.row(k)) - ORIGIN;
+  turn(corner, points);
+  return points;
+}
+
+template <typename K>
+void T_NURCC_surface_3<K>::add_element(size_type i, const Rectangle& r, bool is_extraordinary,
+                                       const std::array<Vector_3, 16>& points,
+                                       std::vector<Bezier_element>& out) const
+{
+  const Patch& patch = m_basis.patch(i);
+  Bezier_element element{i, patch.u0 + r.u0, patch.v0 + r.v0, patch.u0 + r.u1, patch.v0 + r.v1,
+                         is_extraordinary, {}};
+  for(int k = 0; k < 16; ++k)
+    element.points[k] = ORIGIN + points[k];
+  out.push_back(element);
+}
+
+// The ring is read off from the Catmull-Clark part and from the functions of the patches next to the
+// extraordinary point; these must not be cut within the ring.
 template <typename K>
 int T_NURCC_surface_3<K>::minimum_ring_level(size_type i) const
 {
-  const Vertex center = m_extraordinary_points[i];
-  const Halfedge first = m_mesh.opposite(m_mesh.mesh().halfedge(center));
-  const auto unit = Surface_mesh_spline_conversion::internal::rounded_parameter(
-    m_mesh.length(first));
-  auto is_regular = [&](Vertex v)
-  {
-    if(m_mesh.is_extraordinary(v) || m_mesh.star(v).is_border || m_mesh.star(v).is_T)
-      return false;
-    for(const auto& interval : m_mesh.star(v).interval)
-      if(Surface_mesh_spline_conversion::internal::rounded_parameter(interval[0]) != unit)
-        return false;
-    return true;
-  };
-  int level = 0;
+  int level = 2;
+  const Halfedge first = m_mesh.opposite(m_mesh.mesh().halfedge(m_extraordinary_points[i]));
   Halfedge h = first;
   do
   {
-    for(Halfedge g : m_mesh.mesh().halfedges_around_face(h))
+    const Patch& patch = m_basis.patch(m_basis.patch_of_face(m_mesh.face(h)));
+    const double size = patch.u1 - patch.u0;
+    for(size_type e = m_basis.first_element(patch); e < m_basis.last_element(patch); ++e)
     {
-      const Vertex v = m_mesh.source(g);
-      if(v == center)
-        continue;
-      if(!is_regular(v))
-        return 2;
-      for(Halfedge e : m_mesh.mesh().halfedges_around_target(m_mesh.mesh().halfedge(v)))
-        for(Halfedge f : m_mesh.mesh().halfedges_around_face(e))
-          if(m_mesh.target(f) != center && !is_regular(m_mesh.target(f)))
-            level = 1;
+      const Regular_element& element = m_basis.element(e);
+      for(const double cut : {element.u0, element.u1, element.v0, element.v1})
+        for(const double distance : {cut, size - cut})
+          if(distance > 0)
+            while(std::ldexp(size, 1 - level) > distance)
+              ++level;
     }
     h = m_mesh.rotated(h);
   }
@@ -323,16 +407,9 @@ void T_NURCC_surface_3<K>::add_sector(Halfedge h, int level, Extraordinary_ring&
   const auto& face = m_basis.extraordinary_face(patch);
   const int corner = m_mesh.side(h);
   const double size = std::ldexp(2., -level); // of the sector, in the quarter of the face
-  const Patch_origin r = quarter_rectangle(patch, corner, 0, 0, size, size);
-  ring.sectors.push_back(typename Extraordinary_ring::Sector{i, patch.quad, r.u0, r.v0, r.u1, r.v1,
-                                                             corner});
-  if(level == 0)
-  {
-    if(ring.points.empty())
-      ring.points.push_back(m_mesh.mesh().point(m_mesh.source(h)));
-    add_control_points_of_sector(h, ring);
-    return;
-  }
+  const Rectangle r = quarter_rectangle(patch, corner, 0, 0, size, size);
+  ring.sectors.push_back(typename Extraordinary_ring::Sector{i, patch.quad, patch.u0 + r.u0,
+    patch.v0 + r.v0, patch.u0 + r.u1, patch.v0 + r.v1, corner});
   const internal::Face_quarter& quarter = face.quarters[corner];
   const int n = quarter.table->valence();
   const internal::Stencil_matrix net = quarter.table->net(level - 1) * quarter.net;
@@ -340,50 +417,95 @@ void T_NURCC_surface_3<K>::add_sector(Halfedge h, int level, Extraordinary_ring&
     ring.points.push_back(stencil_point(face, net.row(0)));
   for(int a = 1; a <= 2; ++a)
     for(int b = 0; b <= 2; ++b)
-      ring.points.push_back(stencil_point(face, net.row(internal::index_in_net(a, b, n))));
+      ring.points.push_back(stencil_point(face, net.row(internal::index_in_net(a, b, n)))
+                            + function_coefficient(i, corner, size, a, b));
 }
 
+// the control point (a, b) of the grid with the given distances around a corner of a patch, as far
+// as the functions of the patch contribute to it
 template <typename K>
-void T_NURCC_surface_3<K>::add_control_points_of_sector(Halfedge h, Extraordinary_ring& ring) const
+typename K::Vector_3
+T_NURCC_surface_3<K>::function_coefficient(size_type i, int corner, double size, int a, int b) const
 {
-  const auto& mesh = m_mesh.mesh();
-  for(int a = 1; a <= 2; ++a)
+  namespace internal = Surface_mesh_spline_conversion::internal;
+  const Patch& patch = m_basis.patch(i);
+  const Rectangle r = quarter_rectangle(patch, corner, 0, 0, size, size);
+  const Regular_element& e
+    = m_basis.element_at(patch, (r.u0 + r.u1) / 2, (r.v0 + r.v1) / 2);
+  std::array<internal::Row, 2> weights;
+  for(int axis = 0; axis < 2; ++axis)
   {
-    Halfedge g = m_mesh.next(h); // to the left of the end of h, at distance a from the center
-    ring.points.push_back(mesh.point(m_mesh.source(g)));
-    ring.points.push_back(mesh.point(m_mesh.target(g)));
-    g = m_mesh.next(m_mesh.opposite(m_mesh.next(g)));
-    ring.points.push_back(mesh.point(m_mesh.target(g)));
-    h = m_mesh.next(m_mesh.opposite(m_mesh.next(h)));
+    std::array<double, 3> x;
+    for(int k = 0; k < 3; ++k)
+    {
+      const std::array<double, 2> uv
+        = Extraordinary_face::to_face(corner, size * (a + k - 1), size * (b + k - 1));
+      x[k] = axis == 0 ? (uv[0] * (patch.u1 - patch.u0) - e.u0) / (e.u1 - e.u0)
+                       : (uv[1] * (patch.v1 - patch.v0) - e.v0) / (e.v1 - e.v0);
+    }
+    weights[axis] = internal::bezier_blossom_weights(x[0], x[1], x[2]);
   }
+  Vector_3 sum = NULL_VECTOR;
+  for(size_type f = e.first; f < e.last; ++f)
+  {
+    const auto& function = m_basis.function(f);
+    sum = sum + FT(internal::dot(weights[0], function.u) * internal::dot(weights[1], function.v))
+                * (control_point(function.control_point) - ORIGIN);
+  }
+  return sum;
 }
 
 template <typename K>
 bool T_NURCC_surface_3<K>::is_valid() const
 {
-  namespace internal = Surface_mesh_spline_conversion::internal;
   if(m_error != Error_code::OK || !m_mesh.is_valid())
     return false;
-  const double tolerance = 1e-12; // rounding errors of sums of 16 products of order one
   for(size_type i = 0; i < number_of_patches(); ++i)
-  {
-    const Patch& patch = m_basis.patch(i);
-    for(size_type e = m_basis.first_element(patch); e < m_basis.last_element(patch); ++e)
-    {
-      const auto& element = m_basis.element(e);
-      if(element.last - element.first != 16)
-        return false;
-      for(int k = 0; k < 16; ++k)
-      {
-        double sum = 0;
-        for(size_type f = element.first; f < element.last; ++f)
-          sum += m_basis.function(f).u[k & 3] * m_basis.function(f).v[k >> 2];
-        if(std::abs(sum - 1) > tolerance)
-          return false;
-      }
-    }
-    if(is_extraordinary_patch(i) && !m_basis.extraordinary_face(patch).is_valid(tolerance))
+    if(!(is_extraordinary_patch(i) ? is_partition_of_unity(i) : is_regular_basis(i)))
       return false;
+  return true;
+}
+
+// checks that 16 functions live on every element of a patch, and that they sum up to one
+template <typename K>
+bool T_NURCC_surface_3<K>::is_regular_basis(size_type i) const
+{
+  const Patch& patch = m_basis.patch(i);
+  for(size_type e = m_basis.first_element(patch); e < m_basis.last_element(patch); ++e)
+  {
+    const Regular_element& element = m_basis.element(e);
+    if(element.last - element.first != 16)
+      return false;
+    for(int k = 0; k < 16; ++k)
+    {
+      double sum = 0;
+      for(size_type f = element.first; f < element.last; ++f)
+        sum += m_basis.function(f).u[k & 3] * m_basis.function(f).v[k >> 2];
+      if(std::abs(sum - 1) > tolerance_of_sums)
+        return false;
+    }
+  }
+  return true;
+}
+
+// checks the sum of the functions at points of all quarters and elements of a patch
+template <typename K>
+bool T_NURCC_surface_3<K>::is_partition_of_unity(size_type i) const
+{
+  const Patch& patch = m_basis.patch(i);
+  for(size_type e = m_basis.first_element(patch); e < m_basis.last_element(patch); ++e)
+  {
+    const Regular_element& element = m_basis.element(e);
+    for(int k = 0; k <= 80; ++k)
+    {
+      const double u = element.u0 + 0.125 * (k % 9) * (element.u1 - element.u0);
+      const double v = element.v0 + 0.125 * (k / 9) * (element.v1 - element.v0);
+      double sum = 0;
+      visit(i, patch.u0 + u, patch.v0 + v, 0,
+            [&sum](size_type, const std::array<double, 6>& value) { sum += value[0]; });
+      if(std::abs(sum - 1) > tolerance_of_sums)
+        return false;
+    }
   }
   return true;
 }

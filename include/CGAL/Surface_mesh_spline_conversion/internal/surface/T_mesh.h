@@ -17,6 +17,7 @@
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/assertions.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <string>
@@ -219,11 +220,32 @@ public:
     return false;
   }
 
+  // the vertices of the faces around the extraordinary corners of `f`, in ascending order: those
+  // whose functions are no products of two splines on `f`
+  std::vector<Vertex> extraordinary_neighbors(Face f) const
+  {
+    std::vector<Vertex> result;
+    for(Halfedge h : m_mesh.halfedges_around_face(halfedge(f)))
+      if(m_corner[h] && is_extraordinary(target(h)))
+        for(Halfedge g : m_mesh.halfedges_around_target(h))
+          for(Vertex v : m_mesh.vertices_around_face(g))
+            result.push_back(v);
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+    return result;
+  }
+
   // position of the source of `h` in the frame of its face
   std::array<Ticks, 2> local_source(Halfedge h) const
   {
-    const Ticks width = extent(face(h), 0), height = extent(face(h), 1), x = m_offset[h];
-    switch(m_side[h])
+    return local_position(face(h), m_side[h], m_offset[h]);
+  }
+
+  // the point at the distance `x` from the start of a side
+  std::array<Ticks, 2> local_position(Face f, int side, Ticks x) const
+  {
+    const Ticks width = extent(f, 0), height = extent(f, 1);
+    switch(side)
     {
       case 0: return {{x, 0}};
       case 1: return {{width, x}};

@@ -27,6 +27,9 @@ namespace internal {
 // article (Fig. 6 a, b, c): a 0-channel along the boundary, whose outer row of vertices (row 0)
 // controls the boundary curve and whose inner row (row 1, the vertices of the layout) controls
 // the tangent planes. The initial control points reproduce a flat uniform layout.
+//
+// The triple knot at a corner between two quads is one of both rows (Fig. 6 b), but of row 0 only if
+// one of these quads has an extraordinary vertex.
 template <typename GeomTraits>
 class T_mesh_builder
 {
@@ -46,6 +49,7 @@ class T_mesh_builder
   {
     std::vector<Halfedge> incoming; // along the boundary, up to the vertex
     std::vector<Halfedge> outgoing; // from the vertex on
+    Vertex before, after;           // further vertices of row 0, if only this has a triple knot
   };
 
   // what is around a vertex of the layout
@@ -90,9 +94,25 @@ public:
 private:
   bool is_boundary(std::size_t v) const { return m_vertices[v].outgoing.first != null; }
   bool is_convex_corner(std::size_t v) const { return is_boundary(v) && m_vertices[v].quads == 1; }
+  bool is_extraordinary(std::size_t v) const
+  {
+    return !is_boundary(v) && m_vertices[v].quads != 4;
+  }
   bool is_regular_corner(std::size_t v) const
   {
     return is_boundary(v) && m_vertices[v].quads == 2 && m_layout.is_corner(v);
+  }
+
+  // has a corner between two quads a triple knot in rows 0 and 1?
+  bool has_two_triple_knots(std::size_t v) const
+  {
+    if(!is_regular_corner(v))
+      return false;
+    const std::size_t before = m_vertices[v].incoming.first, after = m_vertices[v].outgoing.first;
+    for(int k = 0; k < 4; ++k)
+      if(is_extraordinary(m_layout.vertex(before, k)) || is_extraordinary(m_layout.vertex(after, k)))
+        return false;
+    return true;
   }
 
   bool fail(std::size_t v, const std::string& reason)
@@ -201,7 +221,12 @@ private:
     m_mesh.mesh().point(vertex) = point(out, 0, third);
     const Halfedge center = radial(add_vertex(point(out, 0, 0)), vertex);
     radials.incoming = radials.outgoing = {center};
-    if(is_regular_corner(v))
+    if(is_regular_corner(v) && !has_two_triple_knots(v))
+    {
+      radials.before = add_vertex(point(in, FT(1) - third, 0));
+      radials.after = add_vertex(point(out, third, 0));
+    }
+    else if(is_regular_corner(v))
     {
       const FT last = FT(1) - third;
       radials.incoming.insert(radials.incoming.begin(),
@@ -224,9 +249,9 @@ private:
   std::vector<Ticks> positions_on_side(const Side& side) const
   {
     std::vector<Ticks> result(1, 0);
-    if(is_regular_corner(m_layout.vertex(side.first, side.second)))
+    if(has_two_triple_knots(m_layout.vertex(side.first, side.second)))
       result.push_back(zero_interval_ticks);
-    if(is_regular_corner(m_layout.vertex(side.first, side.second + 1)))
+    if(has_two_triple_knots(m_layout.vertex(side.first, side.second + 1)))
       result.push_back(unit_ticks - zero_interval_ticks);
     result.push_back(unit_ticks);
     return result;
@@ -286,17 +311,46 @@ private:
     const std::vector<Halfedge>& row_1 = m_sides[4 * side.first + side.second];
     for(std::size_t j = 0; j + 1 < radials.size(); ++j)
     {
-      const Halfedge row_0 = add_edge(m_mesh.source(radials[j]), m_mesh.source(radials[j + 1]),
-                                      x[j + 1] - x[j]);
       Face_origin origin;
       origin.kind = Face_origin::CHANNEL;
       origin.quad = side.first;
       origin.side = side.second;
       origin.first = {{x[j], 0}};
       origin.last = {{x[j + 1], zero_interval_ticks}};
-      add_face({row_0, radials[j + 1], m_mesh.opposite(row_1[j]), m_mesh.opposite(radials[j])},
-               std::vector<bool>(4, true), origin);
+      std::vector<Halfedge> halfedges
+        = row_0_edges(radials[j], radials[j + 1], x[j + 1] - x[j],
+                      j == 0 ? m_radials[m_layout.vertex(side.first, side.second)].after : Vertex(),
+                      j + 2 == radials.size()
+                        ? m_radials[m_layout.vertex(side.first, side.second + 1)].before : Vertex());
+      std::vector<bool> is_corner(halfedges.size() + 3, true);
+      for(std::size_t k = 0; k + 1 < halfedges.size(); ++k)
+        is_corner[k] = false;
+      for(Halfedge h : {radials[j + 1], m_mesh.opposite(row_1[j]), m_mesh.opposite(radials[j])})
+        halfedges.push_back(h);
+      add_face(halfedges, is_corner, origin);
     }
+  }
+
+  // adds the edges of row 0 between two radial edges, by way of the given vertices if there are any
+  std::vector<Halfedge> row_0_edges(Halfedge first, Halfedge last, Ticks length, Vertex after,
+                                    Vertex before)
+  {
+    std::vector<Halfedge> result;
+    Vertex v = m_mesh.source(first);
+    if(after.is_valid())
+    {
+      result.push_back(add_edge(v, after, zero_interval_ticks));
+      length -= zero_interval_ticks;
+      v = after;
+    }
+    if(before.is_valid())
+    {
+      result.push_back(add_edge(v, before, length - zero_interval_ticks));
+      length = zero_interval_ticks;
+      v = before;
+    }
+    result.push_back(add_edge(v, m_mesh.source(last), length));
+    return result;
   }
 
   // links the halfedges without a face along the boundary

@@ -62,6 +62,22 @@ inline Row blossom_weights(const Span_knots& t, double x, double y, double z)
   return d[3];
 }
 
+// computes the weight of the B-spline coefficient `m` alone
+inline double blossom_weight(const Span_knots& t, int m, double x, double y, double z)
+{
+  const std::array<double, 3> argument = {{x, y, z}};
+  std::array<double, 4> d{};
+  d[m] = 1;
+  for(int r = 1; r <= 3; ++r)
+    for(int i = 3; i >= r; --i)
+      if(d[i - 1] != 0 || d[i] != 0)
+      {
+        const double alpha = (argument[r - 1] - t[i - 1]) / (t[i + 3 - r] - t[i - 1]);
+        d[i] = (1 - alpha) * d[i - 1] + alpha * d[i];
+      }
+  return d[3];
+}
+
 // computes the Bernstein coefficients on [a, b] of the B-spline with the given knots, where no knot
 // lies strictly between a and b; all are zero outside of the support.
 inline Row bezier_row(const Local_knots& knots, double a, double b)
@@ -78,8 +94,8 @@ inline Row bezier_row(const Local_knots& knots, double a, double b)
     t[i] = knots[j < 0 ? 0 : (j > 4 ? 4 : j)];
   }
   const int m = 3 - k;
-  return Row{{ blossom_weights(t, a, a, a)[m], blossom_weights(t, a, a, b)[m],
-               blossom_weights(t, a, b, b)[m], blossom_weights(t, b, b, b)[m] }};
+  return Row{{ blossom_weight(t, m, a, a, a), blossom_weight(t, m, a, a, b),
+               blossom_weight(t, m, a, b, b), blossom_weight(t, m, b, b, b) }};
 }
 
 // evaluates the four Bernstein polynomials of degree three, or their derivatives, at x in [0,1]
@@ -98,6 +114,19 @@ inline Row bernstein(double x, int derivative)
 inline Row bezier_blossom_weights(double x, double y, double z)
 {
   return blossom_weights(Span_knots{{0, 0, 0, 1, 1, 1}}, x, y, z);
+}
+
+// restricts a cubic with the given Bernstein coefficients on [0,1] to [x, y]
+inline Row restricted(const Row& row, double x, double y)
+{
+  Row result{};
+  for(int i = 0; i < 4; ++i)
+  {
+    const Row w = bezier_blossom_weights(i < 3 ? x : y, i < 2 ? x : y, i < 1 ? x : y);
+    for(int k = 0; k < 4; ++k)
+      result[i] += w[k] * row[k];
+  }
+  return result;
 }
 
 inline double dot(const Row& a, const Row& b)

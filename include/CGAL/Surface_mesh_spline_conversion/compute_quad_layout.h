@@ -1,0 +1,175 @@
+// Copyright (c) 2026 the authors of the package Surface_mesh_spline_conversion.
+// All rights reserved.
+//
+// This file is part of the package Surface_mesh_spline_conversion, which is being
+// prepared for submission to CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+#ifndef CGAL_SURFACE_MESH_SPLINE_CONVERSION_COMPUTE_QUAD_LAYOUT_H
+#define CGAL_SURFACE_MESH_SPLINE_CONVERSION_COMPUTE_QUAD_LAYOUT_H
+
+#include <CGAL/license/Surface_mesh_spline_conversion.h>
+
+#include <CGAL/Surface_mesh_spline_conversion/Conversion_report.h>
+#include <CGAL/Surface_mesh_spline_conversion/Default_visitor.h>
+#include <CGAL/Surface_mesh_spline_conversion/Error_code.h>
+#include <CGAL/Surface_mesh_spline_conversion/Quad_layout.h>
+#include <CGAL/Surface_mesh_spline_conversion/compute_cross_field.h>
+#include <CGAL/Surface_mesh_spline_conversion/compute_integer_grid_map.h>
+#include <CGAL/Surface_mesh_spline_conversion/extract_quad_layout.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/layout/Padded_triangulation.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/map/make_working_mesh.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/named_parameters.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/run_stage.h>
+#include <CGAL/Surface_mesh_spline_conversion/measure_layout_quality.h>
+
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/number_utils.h>
+
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_spline_conversion {
+
+namespace internal {
+
+// The layout of last resort, which every mesh has: see `Padded_triangulation`.
+template <typename TriangleMesh, typename BoundaryCurveNetwork, typename GeomTraits,
+          typename NamedParameters>
+Error_code compute_padded_layout(const TriangleMesh& tm, const BoundaryCurveNetwork& network,
+                                 Quad_layout<GeomTraits>& layout, const NamedParameters& np)
+{
+  const auto vpm = parameters::choose_parameter(
+    parameters::get_parameter(np, internal_np::vertex_point),
+    get_const_property_map(vertex_point, tm));
+  Working_mesh mesh;
+  std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> vertex;
+  const Error_code code = make_working_mesh(tm, network, vpm, mesh, vertex);
+  if(code != Error_code::OK)
+    return code;
+  if(!make_simplicial(mesh))
+    return Error_code::NO_QUAD_LAYOUT;
+  split_ears(mesh);
+  std::vector<double> size;
+  if(!compute_quad_sizes(mesh, vertex, parameters::get_parameter(np, internal_np::quad_size_map),
+                         CGAL::to_double(network.diameter()), size))
+    return Error_code::INVALID_PARAMETER;
+  set_layout(Padded_triangulation(mesh, size), mesh, face_corners(tm, vpm), layout);
+  return Error_code::OK;
+}
+
+// the quads of an integer grid map
+template <typename TriangleMesh, typename BoundaryCurveNetwork, typename GeomTraits,
+          typename Visitor, typename NamedParameters>
+Error_code compute_mapped_layout(const TriangleMesh& tm, const BoundaryCurveNetwork& network,
+                                 Quad_layout<GeomTraits>& layout, Conversion_report& report,
+                                 Visitor& visitor, const NamedParameters& np)
+{
+  Cross_field field;
+  Integer_grid_map map;
+  Error_code code = run_stage("cross_field", visitor, report, [&]()
+    { return compute_cross_field(tm, network, field, np); });
+  if(code == Error_code::OK)
+    code = run_stage("integer_grid_map", visitor, report, [&]()
+      { return compute_integer_grid_map(field, map, np); });
+  if(code != Error_code::OK)
+  {
+    if(!map.message.empty())
+      report.message = map.message;
+    return code;
+  }
+  if(map.map.repairs > 0)
+    report.map.fallback = "repairs of the field: " + std::to_string(map.map.repairs);
+  if(!map.is_resolved)
+    report.map.fallback = "rectangle composition: " + map.message;
+  return run_stage("quad_layout", visitor, report, [&]()
+    { return extract_quad_layout(map, tm, network, layout, np); });
+}
+
+// `true` if a stage before the layout failed for reasons that need not be those of the input
+inline bool has_no_map(Error_code code)
+{
+  return code == Error_code::NO_SEAMLESS_MAP || code == Error_code::NO_QUAD_LAYOUT
+         || code == Error_code::SINGULAR_SYSTEM || code == Error_code::DEGENERATE_MESH;
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgSurfaceMeshSplineConversionRef
+
+computes a quad layout of a triangle mesh: a cross field, an integer grid map that follows it, and
+the quads of this map.
+
+Where the map fails, its repairs (see `compute_integer_grid_map()`) are tried one after the other.
+What cannot fail comes last: the mesh is coarsened, a ring of quads is laid along each boundary
+loop, and each triangle in between is divided into three quads. Such a layout is valid, but has many
+extraordinary points; its corners are regular vertices even where the boundary is convex.
+`Conversion_report::Map::fallback` says which of these was needed.
+
+\tparam TriangleMesh a model of `HalfedgeListGraph` and `FaceListGraph`
+\tparam BoundaryCurveNetwork an instance of `Boundary_curve_network_3`
+\tparam GeomTraits a model of `Kernel`
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param tm a triangle mesh with one connected component
+\param network the curves at the boundary of `tm`
+\param layout the result
+\param report receives the times of the stages, the number of quads and their quality, the fallback
+              that was needed, and a message if there is no layout
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters": those of
+       `compute_cross_field()`, and
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{visitor}
+    \cgalParamDescription{an object that is told of each stage, and may interrupt}
+    \cgalParamType{a class model of `SplineConversionVisitor`}
+    \cgalParamDefault{`Default_visitor`}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return `Error_code::OK`, the error of the network if it has one, `Error_code::INVALID_PARAMETER`,
+        `Error_code::INTERRUPTED`, or what is wrong with the mesh
+
+\pre `network` has been created from `tm`
+
+\sa `compute_cross_field()`
+\sa `compute_integer_grid_map()`
+\sa `extract_quad_layout()`
+\sa `measure_layout_quality()`
+*/
+template <typename TriangleMesh, typename BoundaryCurveNetwork, typename GeomTraits,
+          typename NamedParameters = parameters::Default_named_parameters>
+Error_code compute_quad_layout(const TriangleMesh& tm, const BoundaryCurveNetwork& network,
+                               Quad_layout<GeomTraits>& layout, Conversion_report& report,
+                               const NamedParameters& np = parameters::default_values())
+{
+  typedef internal_np::Lookup_named_param_def<internal_np::visitor_t, NamedParameters,
+                                              Default_visitor> Lookup_visitor;
+
+  Default_visitor default_visitor;
+  typename Lookup_visitor::reference visitor = parameters::choose_parameter(
+    parameters::get_parameter_reference(np, internal_np::visitor), default_visitor);
+  const std::string message = report.message;
+  Error_code code = internal::compute_mapped_layout(tm, network, layout, report, visitor, np);
+  if(internal::has_no_map(code))
+  {
+    const std::string reason = report.message;
+    report.message = message;
+    code = internal::run_stage("padded_layout", visitor, report, [&]()
+      { return internal::compute_padded_layout(tm, network, layout, np); });
+    if(code == Error_code::OK)
+      report.map.fallback = "divided triangles: " + reason;
+  }
+  report.counts.layout_quads = layout.number_of_quads();
+  if(code == Error_code::OK)
+    measure_layout_quality(layout, tm, report.map, np);
+  return code;
+}
+
+} // namespace Surface_mesh_spline_conversion
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_SPLINE_CONVERSION_COMPUTE_QUAD_LAYOUT_H
