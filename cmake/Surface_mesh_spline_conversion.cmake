@@ -21,10 +21,17 @@ target_include_directories(Surface_mesh_spline_conversion BEFORE INTERFACE
 target_link_libraries(Surface_mesh_spline_conversion INTERFACE CGAL::CGAL CGAL::Eigen3_support)
 target_compile_features(Surface_mesh_spline_conversion INTERFACE cxx_std_17)
 
+include(${CMAKE_CURRENT_LIST_DIR}/Open_cascade.cmake)
+
 # adds a program from one source file, with warnings switched on
 function(smsc_add_program name source)
   add_executable(${name} ${source})
   target_compile_options(${name} PRIVATE
     $<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-Wall;-Wextra>)
   target_link_libraries(${name} PRIVATE Surface_mesh_spline_conversion CGAL::Data)
+endfunction()
+
+# gives a program what needs Open CASCADE, which must be found
+function(smsc_use_open_cascade name)
+  target_link_libraries(${name} PRIVATE Surface_mesh_spline_conversion_OpenCASCADE)
 endfunction()

@@ -9,9 +9,10 @@ set(layers base curves field map layout patches surface fitting export entry rim
 set(rules
   rim     "^(IO|internal/IO)/"
   entry   "^convert_to_T_NURCC\\.h$|^internal/conversion/"
-  base    "^(Error_code|Conversion_report|Default_visitor|Error_metric)\\.h$|^internal/[^/]*\\.h$"
+  base    "^(Error_code|Conversion_report|Stitching_report|Default_visitor|Error_metric)\\.h$|^internal/[^/]*\\.h$"
   layout  "^Quad_layout\\.h$"
-  field   "^(Cross_field|compute_cross_field)\\.h$|^internal/(field/|map/(make_|refine_)?[Ww]orking_mesh\\.h$)"
+  field   "^(Cross_field|compute_cross_field)\\.h$|^internal/(field/|proxy/|map/(make_|refine_)?[Ww]orking_mesh\\.h$)"
+  field   "^internal/map/limit_gradation\\.h$"
   map     "^Integer_grid_map\\.h$|^internal/map/"
   # the lengths of an integer grid map are verified by extracting its quads
   layout  "^(compute_integer_grid_map|extract_quad_layout|compute_quad_layout|measure_layout_quality)\\.h$|^internal/layout/"
@@ -20,6 +21,9 @@ set(rules
   fitting "^fit_(boundary|interior)\\.h$|^internal/fitting/"
   export  "^(NURBS_shell_3|Knot_vector|extract_NURBS_faces|find_boundary_vertices|measure_deviation)\\.h$"
   export  "^internal/(caps|export)/"
+  # boundary representations of Open CASCADE
+  curves  "^associate_boundary_with_BRep\\.h$|^internal/open_cascade/(Edge_on_surface|Curve_set|Free_edges)\\.h$"
+  export  "^(stitch_with|measure)_BRep\\.h$|^internal/open_cascade/"
   curves  "_traits_3\\.h$|^(Boundary_curve_network_3|Curve_segment|NURBS_curve_3)\\.h$"
   curves  "^(Elementary_surface_3|Curve_joint|Conversion_case|interpolate_boundary_curves)\\.h$"
   curves  "^smallest_enclosing_sphere_diameter\\.h$|^internal/curves/")

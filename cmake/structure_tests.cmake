@@ -3,6 +3,15 @@
 file(GLOB_RECURSE SMSC_HEADERS CONFIGURE_DEPENDS RELATIVE ${SMSC_ROOT_DIR}/include
   ${SMSC_ROOT_DIR}/include/*.h)
 list(FILTER SMSC_HEADERS EXCLUDE REGEX "parameters_interface\\.h$") # an X-macro list
+# headers that need Open CASCADE are tested only if it is found, and after all others: its macro
+# Handle() must not meet the class of CGAL
+set(SMSC_OPENCASCADE_HEADERS ${SMSC_HEADERS})
+set(SMSC_OPENCASCADE_REGEX "_BRep\\.h$|IO/BRep\\.h$|Open_cascade_|/open_cascade/")
+list(FILTER SMSC_OPENCASCADE_HEADERS INCLUDE REGEX "${SMSC_OPENCASCADE_REGEX}")
+list(FILTER SMSC_HEADERS EXCLUDE REGEX "${SMSC_OPENCASCADE_REGEX}")
+if(TARGET Surface_mesh_spline_conversion_OpenCASCADE)
+  list(APPEND SMSC_HEADERS ${SMSC_OPENCASCADE_HEADERS})
+endif()
 
 find_path(SMSC_CGAL_HEADERS CGAL/version.h HINTS ${CGAL_INCLUDE_DIRS})
 add_test(NAME structure_layers
@@ -15,13 +24,16 @@ add_test(NAME structure_header_names
 function(smsc_add_compilation_test name content)
   set(source ${CMAKE_CURRENT_BINARY_DIR}/headers/${name}.cpp)
   file(GENERATE OUTPUT ${source} CONTENT "${content}")
-  set(eigen $<TARGET_PROPERTY:CGAL::Eigen3_support,INTERFACE_INCLUDE_DIRECTORIES>)
+  set(system_folders $<TARGET_PROPERTY:CGAL::Eigen3_support,INTERFACE_INCLUDE_DIRECTORIES>)
+  if(TARGET Surface_mesh_spline_conversion_OpenCASCADE)
+    list(APPEND system_folders ${OpenCASCADE_INCLUDE_DIR})
+  endif()
   foreach(compiler ${ARGN})
     get_filename_component(compiler_name ${compiler} NAME)
     set(test header_${name}_${compiler_name})
     add_test(NAME ${test}
       COMMAND ${compiler} -std=c++17 -fsyntax-only -Wall -Wextra -Werror
-              -I ${SMSC_ROOT_DIR}/include "-isystem;$<JOIN:${eigen},;-isystem;>" ${source}
+              -I ${SMSC_ROOT_DIR}/include "-isystem;$<JOIN:${system_folders},;-isystem;>" ${source}
       COMMAND_EXPAND_LISTS)
     set_tests_properties(${test} PROPERTIES LABELS headers TIMEOUT 600)
   endforeach()

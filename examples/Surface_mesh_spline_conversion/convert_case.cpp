@@ -12,10 +12,12 @@
 
 #include "convert_case/Options.h"
 #include "convert_case/Progress_visitor.h"
+#include "convert_case/brep.h"
 #include "convert_case/mesh_reader.h"
 #include "convert_case/resolution.h"
 #include "convert_case/write_results.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -100,6 +102,53 @@ Mesh_defect read_bare_mesh(const std::string& filename, Case& input,
   return defect;
 }
 
+// Reads a mesh file, and finds its curves among the free edges of a residual model.
+Mesh_defect read_mesh_with_residual(const Options& options, Case& input,
+                                    std::vector<std::string>& warnings)
+{
+  Mesh_defect defect = read_mesh(options.input, input.mesh, warnings);
+  if(defect.code != SC::Error_code::OK)
+    return defect;
+  std::vector<Function_segment> segments;
+  input.unit = "mm";
+  input.residual_file = options.residual;
+  defect.message = associate_with_residual(input.mesh, options.residual, segments, input.corners);
+  if(!defect.message.empty())
+    return {SC::Error_code::INVALID_BOUNDARY_ASSOCIATION, defect.message};
+  for(const Function_segment& s : segments)
+  {
+    input.segments.push_back({Case::Curve_3(s.curve), s.first, s.second});
+    if(!s.is_empty() && std::find(input.curves.begin(), input.curves.end(), Case::Curve_3(s.curve))
+                          == input.curves.end())
+      input.curves.push_back(s.curve);
+  }
+  return defect;
+}
+
+// Reads whatever the options name.
+Mesh_defect read_input(const Options& options, Case& input, std::vector<std::string>& warnings)
+{
+  const bool has_residual = !options.residual.empty();
+  if((has_residual || !options.stitched.empty()) && !has_open_cascade)
+    return {SC::Error_code::INVALID_PARAMETER,
+            "--stitched and --residual are not available in this build: they need Open CASCADE"};
+  if(is_mesh_file(options.input))
+  {
+    if(has_residual)
+      return read_mesh_with_residual(options, input, warnings);
+    if(!options.stitched.empty())
+      return {SC::Error_code::INVALID_PARAMETER, "--stitched needs --residual if there is no case"};
+    return read_bare_mesh(options.input, input, warnings);
+  }
+  const Mesh_defect defect = read_case(options.input, input);
+  if(has_residual)
+    input.residual_file = options.residual;
+  if(defect.code == SC::Error_code::OK && !options.stitched.empty() && input.residual_file.empty())
+    return {SC::Error_code::INVALID_PARAMETER,
+            "--stitched: the case has no residual model; --residual can name one"};
+  return defect;
+}
+
 // The library tells the place of the largest deviation by chain and arc length; the report is to name
 // the curve of the case and its parameter.
 void name_worst_curve(const Case& input, const Network& network, Report::Boundary& boundary)
@@ -146,22 +195,19 @@ Exit_code convert_and_write(const Options& options, const Case& input,
   information.product = std::filesystem::path(options.input).stem().string();
   information.unit = input.unit;
   information.uncertainty = resolution.xi;
-  const bool is_written = write_results(options, network, surfaces, information, report);
+  const bool is_written = write_results(options, network, surfaces, information,
+                                        input.residual_file, report);
   return is_written ? exit_code(code) : FAILURE;
 }
 
 Exit_code run(const Options& options)
 {
   Report report;
-  if(!options.stitched.empty())
-    return stop(options, report, SC::Error_code::INVALID_PARAMETER,
-                "--stitched is not available in this build: it needs Open CASCADE");
   const std::string error = prepare_output(options);
   if(!error.empty())
     return stop(options, report, SC::Error_code::INVALID_PARAMETER, error);
   Case input;
-  const Mesh_defect defect = is_mesh_file(options.input)
-    ? read_bare_mesh(options.input, input, report.warnings) : read_case(options.input, input);
+  const Mesh_defect defect = read_input(options, input, report.warnings);
   if(defect.code != SC::Error_code::OK)
     return stop(options, report, defect.code, defect.message);
   return convert_and_write(options, input, report.warnings);

@@ -330,7 +330,7 @@ public:
   void refine(const std::vector<Patch_split>& splits);
 
   /// halves the knot intervals of the boundary that overlap the given spans, and what has to be
-  /// refined with them to have a sound surface: splits are carried two patches inwards; patches
+  /// refined with them to have a sound surface: splits are carried one patch inwards; patches
   /// at convex corners and the two-ring of an extraordinary point are quadrisected; neighboring
   /// intervals differ at most by a factor of two; and extensions of T-junctions do not cross,
   /// therefore the basis functions are linearly independent and sum up to one.

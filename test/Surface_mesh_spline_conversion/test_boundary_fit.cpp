@@ -4,6 +4,8 @@
 
 #include <CGAL/Surface_mesh_spline_conversion/fit_boundary.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -17,22 +19,29 @@ using internal::Cubic_spline_basis;
 
 const double pi = 2 * std::acos(0.);
 
-// a circle with `sides` quad sides in a tilted plane; `speed` > 0 gives an uneven parametrization
+// a circle with `sides` quad sides in a tilted plane; `unevenness` > 0 makes the speed vary
 struct Circle
 {
-  double sides, speed = 0;
+  double sides, unevenness = 0;
 
   Eigen::Vector3d at(double c, double s) const
   {
     return c * Eigen::Vector3d(2, 1, -2) / 3 + s * Eigen::Vector3d(1, 2, 2) / 3;
   }
-  double angle(double x) const { return 2 * pi * x / sides + speed * std::sin(2 * pi * x / sides); }
+  double angle(double x) const
+  {
+    return 2 * pi * x / sides + unevenness * std::sin(2 * pi * x / sides);
+  }
   Eigen::Vector3d point(double x) const { return at(std::cos(angle(x)), std::sin(angle(x))); }
   Eigen::Vector3d derivative(double x) const
   {
-    const double w = 2 * pi / sides * (1 + speed * std::cos(2 * pi * x / sides));
+    const double w = 2 * pi / sides * (1 + unevenness * std::cos(2 * pi * x / sides));
     return w * at(-std::sin(angle(x)), std::cos(angle(x)));
   }
+  double arc_length(double x) const { return angle(x); } // the radius is one
+  double speed(double x) const { return derivative(x).norm(); }
+  Eigen::Vector3d curve_point(double s) const { return at(std::cos(s), std::sin(s)); }
+  Eigen::Vector3d curve_tangent(double s) const { return at(-std::sin(s), std::cos(s)); }
 };
 
 Chain_knots periodic_knots(int n)
@@ -126,6 +135,42 @@ void test_ends()
   }
 }
 
+// The fit of the shape: closer to the circle, in its plane, with the tangents of the circle at its
+// ends, and bounded by the stated error. The distance to a circle is known without closest points.
+void test_shape(bool is_closed)
+{
+  double last = 0;
+  for(int n : {8, 16, 32})
+  {
+    Circle circle{is_closed ? double(n) : 2. * n, 0.3};
+    const Chain_knots knots = is_closed ? periodic_knots(n) : open_knots(n);
+    const Cubic_spline_basis basis = knots.basis();
+    const Chain_fit start = internal::fit_chain(knots, circle);
+    const Chain_fit fit = internal::fit_chain_shape(knots, start, circle);
+    double error = 0;
+    for(std::size_t span = 0; span < basis.number_of_spans(); ++span)
+      for(int i = 0; i <= 100; ++i)
+      {
+        const double x = basis.span_begin(span) + i / 100.;
+        const Eigen::Vector3d p = internal::evaluate(basis.values(span, x), fit.polygon, 0);
+        error = (std::max)(error, std::abs(p.norm() - 1));
+        assert(std::abs(2 * p[0] - 2 * p[1] + p[2]) < 1e-13);
+      }
+    assert(error <= fit.worst().bound && fit.worst().bound < 1.1 * error);
+    assert(error < start.worst().sampled);
+    assert(last == 0 || last / error > 8);
+    last = error;
+    for(const Eigen::Vector3d& p : fit.polygon)
+      assert(std::abs(2 * p[0] - 2 * p[1] + p[2]) < 1e-13);
+    if(is_closed)
+      continue;
+    assert(fit.polygon.front() == circle.point(0) && fit.polygon.back() == circle.point(n));
+    const auto values = basis.values(0, 0);
+    assert(internal::evaluate(values, fit.polygon, 1).normalized().cross(
+             circle.derivative(0).normalized()).norm() < 1e-13);
+  }
+}
+
 // the figures of 16 quads on a circle, with the tolerance relative to the diagonal of its box
 void test_number_of_segments()
 {
@@ -133,7 +178,8 @@ void test_number_of_segments()
   internal::Cached_curve_target<Circle> target(circle);
   const double tolerance = 1e-6 * std::sqrt(8.);
   const Chain_knots knots
-    = internal::plan_bisection(periodic_knots(16), target, tolerance, 1e-3, 10000);
+    = internal::plan_bisection(periodic_knots(16), target, SC::Error_metric::PARAMETRIC, tolerance,
+                               1e-3, 10000);
   assert(knots.knots.size() == 32);
   assert(dense_error(knots, internal::fit_chain(knots, target), circle) < tolerance);
 }
@@ -156,7 +202,7 @@ void test_balance()
   }
 }
 
-void test_surface(const synthetic::Surface& shape, double jitter)
+void test_surface(const synthetic::Surface& shape, double jitter, SC::Error_metric metric)
 {
   const int m = 8, n = 5;
   synthetic::Input input(shape, m, n, 4, synthetic::jittered(m, n, jitter));
@@ -165,9 +211,10 @@ void test_surface(const synthetic::Surface& shape, double jitter)
   SC::Conversion_report report;
   const double tolerance = 1e-7 * target.diameter();
   const SC::Error_code code
-    = SC::fit_boundary(surface, target, report, CGAL::parameters::boundary_tolerance(tolerance));
+    = SC::fit_boundary(surface, target, report, CGAL::parameters::boundary_tolerance(tolerance)
+                                                  .error_metric(metric));
   assert(code == SC::Error_code::OK && report.boundary.certified_bound < tolerance);
-  assert(report.boundary.max_parametric_deviation <= report.boundary.certified_bound);
+  assert(report.iterations.back().boundary_hausdorff <= report.boundary.certified_bound);
   assert(report.iterations.size() <= 3 && report.iterations.back().stage == "fit_boundary");
   double worst = 0;
   for(std::size_t q = 0; q < input.layout().number_of_quads(); ++q)
@@ -176,7 +223,11 @@ void test_surface(const synthetic::Surface& shape, double jitter)
       {
         const auto uv = internal::from_side<double>(i, k / 40., 0.);
         const auto p = surface.position(surface.patch_at(q, uv[0], uv[1]), uv[0], uv[1]);
-        worst = (std::max)(worst, std::sqrt(squared_distance(p, target.point(q, uv[0], uv[1]))));
+        const double parametric = std::sqrt(squared_distance(p, target.point(q, uv[0], uv[1])));
+        assert(parametric <= report.boundary.max_parametric_deviation * 1.05);
+        const std::size_t chain = input.layout().boundary_side(q, i).chain;
+        worst = (std::max)(worst, metric == SC::Error_metric::PARAMETRIC
+                                    ? parametric : target.network().project(chain, p).distance);
       }
   assert(worst > 0 && worst <= report.boundary.certified_bound);
 }
@@ -194,10 +245,13 @@ int main()
   test_ends();
   test_number_of_segments();
   test_balance();
+  test_shape(true);
+  test_shape(false);
   for(double jitter : {0., 0.5})
-  {
-    test_surface(synthetic::height_field(0.3), jitter);
-    test_surface(synthetic::torus_band(2, 0.5), jitter);
-  }
+    for(auto metric : {SC::Error_metric::PARAMETRIC, SC::Error_metric::REPROJECTED})
+    {
+      test_surface(synthetic::height_field(0.3), jitter, metric);
+      test_surface(synthetic::torus_band(2, 0.5), jitter, metric);
+    }
   return 0;
 }

@@ -31,6 +31,8 @@ struct Smooth_target
   std::size_t number_of_chains() const { return input.target().number_of_chains(); }
   std::size_t number_of_sides(std::size_t c) const { return input.target().number_of_sides(c); }
   double arc_length(std::size_t c, double x) const { return input.target().arc_length(c, x); }
+  double speed(std::size_t c, double x) const { return input.target().speed(c, x); }
+  const auto& network() const { return input.target().network(); }
 
   std::array<double, 2> place(std::size_t chain, double x, Vector& direction) const
   {

@@ -47,13 +47,14 @@ PACKAGE_PARAMETER(5, error_metric)
 PACKAGE_PARAMETER(6, maximum_number_of_patches)
 PACKAGE_PARAMETER(7, do_merge_patches)
 PACKAGE_PARAMETER(8, boundary_vertices)
-PARAMETER(9, vertex_point, vertex_point_map)
-PARAMETER(10, geom_traits, geom_traits)
-PARAMETER(11, vertex_is_constrained, vertex_is_constrained_map)
-PARAMETER(12, visitor, visitor)
-PARAMETER(13, verbose, verbose)
-PARAMETER(14, number_of_iterations, number_of_iterations)
-const int number_of_parameters = 15;
+PACKAGE_PARAMETER(9, use_proxy_mesh)
+PARAMETER(10, vertex_point, vertex_point_map)
+PARAMETER(11, geom_traits, geom_traits)
+PARAMETER(12, vertex_is_constrained, vertex_is_constrained_map)
+PARAMETER(13, visitor, visitor)
+PARAMETER(14, verbose, verbose)
+PARAMETER(15, number_of_iterations, number_of_iterations)
+const int number_of_parameters = 16;
 
 // checks that parameter i is found if and only if it is among `given`
 template <int i, int... given, typename NamedParameters>
@@ -111,7 +112,7 @@ void test_default()
   typedef std::decay_t<decltype(params::get_parameter(params::default_values(),
                                                       internal_np::boundary_tolerance))> Found;
   static_assert(std::is_same<Found, internal_np::Param_not_found>::value, "nothing is given");
-  check_chain(params::verbose(true).visitor(Value<12>()), std::integer_sequence<int, 0, 6, 14>());
+  check_chain(params::verbose(true).visitor(Value<13>()), std::integer_sequence<int, 0, 6, 15>());
 }
 
 // a visitor with a state is passed by std::ref() and comes back as a reference
@@ -150,8 +151,8 @@ int main()
   test_orders<0, 1, 2, 9>();
   test_orders<3, 4, 5, 12>();
   test_orders<6, 7, 8, 11>();
-  test_chain<0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14>();
-  test_chain<8, 14, 7, 13, 6, 12, 5, 11, 4, 10, 3, 9, 2, 1, 0>();
+  test_chain<0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15>();
+  test_chain<8, 15, 14, 7, 13, 6, 12, 5, 11, 4, 10, 3, 9, 2, 1, 0>();
   test_chain<4>();
   test_default();
   test_reference();

@@ -1,6 +1,6 @@
 // The stages from curves to the quad layout on real cases: the layout has the corners, chains and
-// singularities that network and field prescribe, at sizes from the default to very coarse, and
-// does not depend on the run.
+// singularities that network and field prescribe, at sizes from the default to very coarse, on the
+// mesh itself and on a proxy, and does not depend on the run.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Simple_cartesian.h>
@@ -23,12 +23,14 @@ namespace {
 
 template <typename K, typename Case, typename Network>
 SC::Quad_layout<K> make_layout(const Case& input, const Network& network, double size,
-                               SC::Cross_field& field, SC::Integer_grid_map& map)
+                               bool use_proxy, SC::Cross_field& field,
+                               SC::Integer_grid_map& map)
 {
   SC::Quad_layout<K> layout;
+  const auto np = CGAL::parameters::quad_size_map(size).use_proxy_mesh(use_proxy);
   const bool is_made
-    = SC::compute_cross_field(input.mesh, network, field,
-                              CGAL::parameters::quad_size_map(size)) == SC::Error_code::OK
+    = SC::compute_cross_field(input.mesh, network, field, np) == SC::Error_code::OK
+      && (field.proxy != nullptr) == use_proxy
       && SC::compute_integer_grid_map(field, map) == SC::Error_code::OK
       && SC::extract_quad_layout(map, input.mesh, network, layout) == SC::Error_code::OK;
   if(!is_made)
@@ -70,7 +72,8 @@ std::multiset<int> irregular_valences(const SC::Cross_field& field)
 }
 
 template <typename K>
-void test_case(const std::string& name, const std::vector<double>& relative_sizes)
+void test_case(const std::string& name, const std::vector<double>& relative_sizes,
+               bool use_proxy = false)
 {
   typedef SC::Conversion_case<K> Case;
   typedef SC::Boundary_curve_network_3<typename Case::Triangle_mesh, typename Case::Curve_traits>
@@ -99,7 +102,7 @@ void test_case(const std::string& name, const std::vector<double>& relative_size
     SC::Cross_field field;
     SC::Integer_grid_map map, again;
     const SC::Quad_layout<K> layout
-      = make_layout<K>(input, network, size * diameter, field, map);
+      = make_layout<K>(input, network, size * diameter, use_proxy, field, map);
     const Test::Quad_layout_checks<SC::Quad_layout<K>, typename Case::Triangle_mesh>
       checks(layout, input.mesh, diameter);
     checks.check_combinatorics(chi, static_cast<int>(network.number_of_loops()));
@@ -115,12 +118,12 @@ void test_case(const std::string& name, const std::vector<double>& relative_size
     check_corners(layout, input, network);
 
     const SC::Quad_layout<K> copy
-      = make_layout<K>(input, network, size * diameter, field, again);
+      = make_layout<K>(input, network, size * diameter, use_proxy, field, again);
     assert(copy.number_of_quads() == layout.number_of_quads());
     for(std::size_t v = 0; v < layout.number_of_vertices(); ++v)
       assert(layout.point(v) == copy.point(v));
     std::cout << name << " at " << size << ": " << layout.number_of_quads() << " quads, "
-              << (map.is_resolved ? "solved again" : "rectangles") << ", "
+              << (use_proxy ? "proxy, " : "") << (map.is_resolved ? "solved again" : "rectangles") << ", "
               << layout.number_of_quads() / map.parameter_area << " of the wanted number"
               << std::endl;
   }
@@ -132,6 +135,7 @@ int main()
 {
   test_case<CGAL::Simple_cartesian<double> >("d2_square_corner", {0.02, 0.05, 0.5});
   test_case<CGAL::Simple_cartesian<double> >("d4_bracket_simp", {0.042});
+  test_case<CGAL::Simple_cartesian<double> >("d4_bracket_simp", {0.09}, true);
   test_case<CGAL::Exact_predicates_inexact_constructions_kernel>("d4_bracket_simp", {0.05});
   return 0;
 }

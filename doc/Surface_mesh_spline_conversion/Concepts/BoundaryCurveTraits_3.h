@@ -15,6 +15,7 @@ and cost more patches. Where the tangent of the boundary jumps, there must be a 
 \cgalHasModels{CGAL::Surface_mesh_spline_conversion::NURBS_curve_traits_3<K>}
 \cgalHasModels{CGAL::Surface_mesh_spline_conversion::Curve_on_surface_traits_3<K>}
 \cgalHasModels{CGAL::Surface_mesh_spline_conversion::Function_curve_traits_3<K>}
+\cgalHasModels{CGAL::Surface_mesh_spline_conversion::Open_cascade_curve_traits_3<K>}
 \cgalHasModels{CGAL::Surface_mesh_spline_conversion::Variant_curve_traits_3<Traits...>}
 \cgalHasModelsEnd
 

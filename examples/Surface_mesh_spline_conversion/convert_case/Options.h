@@ -28,7 +28,7 @@ struct Options
   double xi = not_given, delta = not_given, quad_size = not_given;
   std::string preset = "medium";
   bool is_relative = false;
-  std::string output, report, history, vtk, pictures, stitched;
+  std::string output, report, history, vtk, pictures, stitched, residual;
   std::size_t threads = 1;
   std::size_t maximum_number_of_patches = 200000; // the default of the library
   std::string error_metric = "reprojected";
@@ -52,7 +52,9 @@ inline const char* usage()
     "  --history F.csv    write the iterations (and a chart of them beside it, F.svg)\n"
     "  --vtk F.vtu        write the surface as Bezier cells\n"
     "  --pictures DIR     draw layout, patches, deviation, and zebra stripes\n"
-    "  --stitched F.step  stitch with the residual model (not in this version)\n"
+    "  --stitched F.step  stitch with the residual model to a solid (or F.brep)\n"
+    "  --residual F.step  the residual model: that of a mesh, or instead of that of the case;\n"
+    "                     a mesh gets the curves of its free edges\n"
     "  --threads N        number of threads (one is used in this version)\n"
     "  --max-patches N    stop refining at this number of patches\n"
     "  --error-metric M   parametric, reprojected (default), or hausdorff\n"
@@ -114,6 +116,7 @@ inline std::string parse_options(const std::vector<std::string>& arguments, Opti
     {"--vtk", path(options.vtk)},
     {"--pictures", path(options.pictures)},
     {"--stitched", path(options.stitched)},
+    {"--residual", path(options.residual)},
     {"--threads", count(options.threads)},
     {"--max-patches", count(options.maximum_number_of_patches)},
     {"--error-metric",

@@ -16,6 +16,7 @@
 #include <CGAL/T_NURCC_surface_3.h>
 
 #include "Options.h"
+#include "brep.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -55,7 +56,7 @@ inline std::string prepare_output(const Options& options)
 {
   namespace fs = std::filesystem;
   std::vector<fs::path> folders = {options.pictures};
-  for(const std::string& file : {options.output, options.report, options.history, options.vtk})
+  for(const std::string& file : {options.output, options.report, options.history, options.vtk, options.stitched})
     folders.push_back(fs::path(file).parent_path());
   for(const fs::path& folder : folders)
   {
@@ -117,11 +118,40 @@ void append(const Shell& part, Shell& whole)
   }
 }
 
-// Writes the faces of all surfaces to the STEP file and the VTK file.
+// Stitches the faces with the residual model; returns `true` if there was nothing to do, or the
+// result is written.
+template <typename K>
+bool write_stitched(const Options& options, const SC::NURBS_shell_3<K>& shell,
+                    const std::string& residual, const std::string& unit, double closeness,
+                    Report& report)
+{
+  if(options.stitched.empty())
+    return true;
+  CGAL::Real_timer timer;
+  timer.start();
+  const std::string error = stitch_and_write(
+    shell, {residual, options.stitched, unit, 2 * closeness}, report.stitching);
+  report.add_time("stitch", timer.time());
+  if(!error.empty())
+  {
+    std::fprintf(stderr, "convert_case: %s\n", error.c_str());
+    return false;
+  }
+  const std::string warning = stitching_warning(report.stitching);
+  if(!warning.empty())
+  {
+    std::fprintf(stderr, "convert_case: warning: %s\n", warning.c_str());
+    report.warnings.push_back(warning);
+  }
+  return true;
+}
+
+// Writes the faces of all surfaces to the STEP file and the VTK file, and the stitched model.
 template <typename Network, typename K>
 bool write_faces(const Options& options, const Network& network,
                  const std::vector<CGAL::T_NURCC_surface_3<K> >& surfaces,
-                 const SC::STEP_information& information, Report& report)
+                 const SC::STEP_information& information, const std::string& residual,
+                 Report& report)
 {
   CGAL::Real_timer timer;
   timer.start();
@@ -146,19 +176,21 @@ bool write_faces(const Options& options, const Network& network,
   if(!options.vtk.empty())
     is_written = check(CGAL::IO::write_VTU(options.vtk, shell), options.vtk) && is_written;
   report.add_time("export", timer.time());
-  return is_written;
+  return write_stitched(options, shell, residual, information.unit, closeness, report)
+      && is_written;
 }
 
 // Writes all files; returns `true` if every one is written.
 template <typename Network, typename K>
 bool write_results(const Options& options, const Network& network,
                    const std::vector<CGAL::T_NURCC_surface_3<K> >& surfaces,
-                   const SC::STEP_information& information, Report& report)
+                   const SC::STEP_information& information, const std::string& residual,
+                   Report& report)
 {
   bool is_written = true;
   if(!surfaces.empty())
   {
-    is_written = write_faces(options, network, surfaces, information, report);
+    is_written = write_faces(options, network, surfaces, information, residual, report);
     if(!options.pictures.empty())
       is_written = check(CGAL::IO::write_pictures(options.pictures, surfaces, network.triangle_mesh(),
                                                 report),

@@ -13,6 +13,7 @@
 
 #include <CGAL/Surface_mesh_spline_conversion/Curve_on_surface_traits_3.h>
 #include <CGAL/Surface_mesh_spline_conversion/Curve_segment.h>
+#include <CGAL/Surface_mesh_spline_conversion/Function_curve_traits_3.h>
 #include <CGAL/Surface_mesh_spline_conversion/NURBS_curve_traits_3.h>
 #include <CGAL/Surface_mesh_spline_conversion/Variant_curve_traits_3.h>
 
@@ -40,7 +41,8 @@ struct Conversion_case
   typedef typename K::Point_3 Point_3;
   typedef Surface_mesh<Point_3> Triangle_mesh;
   typedef Variant_curve_traits_3<NURBS_curve_traits_3<K>,
-                                 Curve_on_surface_traits_3<K> > Curve_traits;
+                                 Curve_on_surface_traits_3<K>,
+                                 Function_curve_traits_3<K> > Curve_traits;
   typedef typename Curve_traits::Curve_3 Curve_3;
   typedef Surface_mesh_spline_conversion::Curve_segment<Curve_traits> Curve_segment;
 

@@ -12,6 +12,7 @@
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
 #include <CGAL/Surface_mesh_spline_conversion/Error_code.h>
+#include <CGAL/Surface_mesh_spline_conversion/Stitching_report.h>
 
 #include <array>
 #include <cstddef>
@@ -158,6 +159,7 @@ struct Conversion_report
   Counts counts;                         ///< the size of the result
   Smoothness smoothness;                 ///< the normals
   Map map;                               ///< the map
+  Stitching_report stitching;            ///< the stitched B-Rep, if the caller made one
   std::vector<Iteration> iterations;     ///< the course of the fits
   std::vector<Stage> stages;             ///< the times of the stages, in the order they began
   size_type peak_memory_bytes = 0;       ///< largest resident memory of the process, if known

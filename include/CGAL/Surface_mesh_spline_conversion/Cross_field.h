@@ -12,9 +12,11 @@
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
 #include <CGAL/Surface_mesh_spline_conversion/internal/map/Working_mesh.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/proxy/Proxy_mesh.h>
 
 #include <Eigen/Core>
 
+#include <memory>
 #include <vector>
 
 namespace CGAL {
@@ -46,13 +48,17 @@ of a boundary halfedge one direction of the cross is parallel to this halfedge.
 */
 struct Cross_field
 {
-  internal::Working_mesh mesh;        ///< the mesh of the field, a refinement of the input
+  internal::Working_mesh mesh;        ///< the mesh of the field, a refinement of the input or of
+                                      ///< its proxy
+  std::shared_ptr<const internal::Proxy_mesh> proxy; ///< the proxy, if there is one
   std::vector<Eigen::Vector3d> axis;  ///< per face: first axis of its frame
   std::vector<double> angle;          ///< per face: angle of direction 0
   std::vector<double> kappa;          ///< per halfedge: turn between the frames, 0 on the boundary
   std::vector<int> period_jump;       ///< per halfedge: matching of the directions
   std::vector<int> quarter_turns;     ///< per vertex: number of right angles
   std::vector<double> size;           ///< per vertex: wanted edge length of the quads
+  double spacing = 1;                 ///< distances between singularities, and from them to the
+                                      ///< boundary, are those for quads of `size` times this factor
 };
 
 } // namespace Surface_mesh_spline_conversion

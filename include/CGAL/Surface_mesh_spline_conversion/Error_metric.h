@@ -17,7 +17,8 @@ namespace Surface_mesh_spline_conversion {
 /*!
 \ingroup PkgSurfaceMeshSplineConversionRef
 
-is how `fit_interior()` measures the distance between the surface and its target.
+is how `fit_boundary()` and `fit_interior()` measure the distance between the surface and its
+target.
 */
 enum class Error_metric
 {

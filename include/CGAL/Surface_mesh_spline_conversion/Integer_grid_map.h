@@ -12,8 +12,10 @@
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
 #include <CGAL/Surface_mesh_spline_conversion/internal/map/Seamless_map.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/proxy/Proxy_mesh.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/map/Motorcycle_graph.h>
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -41,6 +43,7 @@ no solver: the quads then have kinks where the rectangles meet.
 struct Integer_grid_map
 {
   internal::Seamless_map map;   ///< the map
+  std::shared_ptr<const internal::Proxy_mesh> proxy; ///< what stands for the input, or nothing
   bool is_resolved = false;     ///< `true` if singularities, corners and translations are integers
   internal::Motorcycle_graph graph;      ///< the motorcycle graph of the map before the re-solve
   std::vector<int> lengths;     ///< per arc of the motorcycle graph: its length in quads

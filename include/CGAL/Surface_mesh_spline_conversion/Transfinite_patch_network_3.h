@@ -121,6 +121,12 @@ public:
     return FT(m_boundary.correspondence(chain)(CGAL::to_double(x)));
   }
 
+  /// returns the derivative of the arc length at the parameter `x`.
+  FT speed(size_type chain, const FT& x) const
+  {
+    return FT(m_boundary.correspondence(chain)(CGAL::to_double(x), 1));
+  }
+
   /// returns the point of the curve at the parameter `x` of `chain`.
   Point_3 curve_point(size_type chain, const FT& x) const
   {
@@ -145,6 +151,9 @@ public:
 
   /// returns the diameter of the smallest sphere enclosing the vertices of the mesh.
   FT diameter() const { return m_network.diameter(); }
+
+  /// returns the network of the boundary curves.
+  const Network& network() const { return m_network; }
 
   /// returns the layout.
   const Layout& layout() const { return m_layout; }

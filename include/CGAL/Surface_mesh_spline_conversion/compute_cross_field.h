@@ -14,16 +14,19 @@
 #include <CGAL/Surface_mesh_spline_conversion/Cross_field.h>
 #include <CGAL/Surface_mesh_spline_conversion/Error_code.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/field/build_cross_field.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/map/limit_gradation.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/map/make_working_mesh.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/named_parameters.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/proxy/make_proxy_mesh.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <queue>
+#include <cstddef>
+#include <memory>
+#include <set>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -59,34 +62,51 @@ double quad_size_at(internal_np::Param_not_found, VertexDescriptor, double defau
   return default_size;
 }
 
-// Makes sizes grow at most by `gradation` per unit length: steeper ones could not be followed by
-// quads of bounded distortion.
-inline void limit_gradation(const Working_mesh& mesh, double gradation, std::vector<double>& size)
+// The vertices of the working mesh at which one curve ends and another begins.
+template <typename BoundaryCurveNetwork>
+std::vector<char> find_curve_joints(const Working_mesh& mesh, const BoundaryCurveNetwork& network)
 {
-  typedef std::pair<double, int> Entry; // (size, vertex)
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry> > queue;
-  for(int v = 0; v < mesh.number_of_vertices(); ++v)
-    queue.emplace(size[v], v);
-  while(!queue.empty())
-  {
-    const Entry top = queue.top();
-    queue.pop();
-    if(top.first > size[top.second])
-      continue;
-    const auto limit = [&](int v, double distance)
+  std::set<std::pair<std::size_t, double> > joints; // (chain, arc length)
+  for(std::size_t c = 0; c < network.number_of_chains(); ++c)
+    for(const auto& joint : network.joints(c))
+      joints.emplace(c, CGAL::to_double(network.arc_length(c, joint.edge)));
+  std::vector<char> is_joint(mesh.number_of_vertices(), 0);
+  for(int h = 0; h < mesh.number_of_halfedges(); ++h)
+    if(mesh.is_border(h))
     {
-      if(size[v] <= top.first + gradation * distance)
-        return;
-      size[v] = top.first + gradation * distance;
-      queue.emplace(size[v], v);
-    };
-    mesh.for_each_outgoing(top.second, [&](int h)
-    {
-      const int back = Working_mesh::previous(h);
-      limit(mesh.target(h), mesh.vector(h).norm());
-      limit(mesh.source(back), mesh.vector(back).norm());
-    });
-  }
+      const Working_mesh::Boundary_piece& piece = mesh.boundary_piece[h];
+      is_joint[mesh.source(h)] = joints.count(std::make_pair(piece.chain, piece.first)) > 0;
+    }
+  return is_joint;
+}
+
+inline bool is_proxy_wanted(const Proxy_builder&, bool choice) { return choice; }
+
+inline bool is_proxy_wanted(const Proxy_builder& builder, internal_np::Param_not_found)
+{
+  return builder.is_proxy_wanted();
+}
+
+// Replaces the mesh of `field` by a proxy and computes the field there. Returns `false`, with
+// `field` as before, if no proxy is wanted or none is good enough. `choice`: the named parameter.
+template <typename Choice>
+bool build_cross_field_on_proxy(Cross_field& field, const std::vector<char>& is_kept,
+                                const Choice& choice)
+{
+  const auto original = std::make_shared<const Working_mesh>(field.mesh);
+  Proxy_builder builder(original, field.size, is_kept);
+  const auto proxy = std::make_shared<Proxy_mesh>();
+  if(!is_proxy_wanted(builder, choice) || !builder.build(*proxy))
+    return false;
+  Cross_field on_proxy;
+  on_proxy.spacing = field.spacing;
+  on_proxy.mesh = proxy->mesh;
+  on_proxy.size = proxy->size;
+  on_proxy.proxy = proxy;
+  if(build_cross_field(on_proxy) != Error_code::OK)
+    return false;
+  field = std::move(on_proxy);
+  return true;
 }
 
 // The wanted quad sizes at the vertices of the working mesh, of which the first ones are those of
@@ -112,6 +132,34 @@ bool compute_quad_sizes(const Working_mesh& mesh, const std::vector<VertexDescri
   return true;
 }
 
+// See below; for the spacing, `Cross_field`.
+template <typename TriangleMesh, typename BoundaryCurveNetwork, typename NamedParameters>
+Error_code compute_cross_field(const TriangleMesh& tm, const BoundaryCurveNetwork& network,
+                               double spacing, Cross_field& field, const NamedParameters& np)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+
+  if(network.error() != Error_code::OK)
+    return network.error();
+  const auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
+                                    get_const_property_map(vertex_point, tm));
+  field = Cross_field();
+  field.spacing = spacing;
+  std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> vertex;
+  const Error_code code = make_working_mesh(tm, network, vpm, field.mesh, vertex);
+  if(code != Error_code::OK)
+    return code;
+
+  if(!compute_quad_sizes(field.mesh, vertex, get_parameter(np, internal_np::quad_size_map),
+                         CGAL::to_double(network.diameter()), field.size))
+    return Error_code::INVALID_PARAMETER;
+  if(build_cross_field_on_proxy(field, find_curve_joints(field.mesh, network),
+                                get_parameter(np, internal_np::use_proxy_mesh)))
+    return Error_code::OK;
+  return build_cross_field(field);
+}
+
 } // namespace internal
 
 /*!
@@ -127,6 +175,11 @@ at other corners is moved to an inner vertex, about two quads away. Pairs of opp
 singularities that are closer than two quads cancel each other. The field lives on a refinement of
 the mesh: edges that are longer than a quad or that join two boundary vertices or two
 singularities are split.
+
+If the mesh is much finer than the quads or has many badly shaped triangles, the field is computed
+on a proxy: a mesh of well-shaped triangles of about a third of the quad size, with vertices on the
+mesh and on its boundary, which the later stages use, too. The proxy is checked: projected along its
+normals, its faces cover the mesh without folds and gaps. If this fails, the mesh itself is used.
 
 \tparam TriangleMesh a model of `HalfedgeListGraph` and `FaceListGraph`
 \tparam BoundaryCurveNetwork an instance of `Boundary_curve_network_3`
@@ -148,6 +201,12 @@ singularities are split.
                        `smallest_enclosing_sphere_diameter(tm)`}
     \cgalParamExtra{sizes are reduced where they grow faster than by half of the distance}
   \cgalParamNEnd
+  \cgalParamNBegin{use_proxy_mesh}
+    \cgalParamDescription{whether to try to compute the field on a proxy of the mesh}
+    \cgalParamType{Boolean}
+    \cgalParamDefault{`true` if the mesh has at least 1.5 times as many faces as the proxy would
+                       have, or if more than one percent of its triangles are badly shaped}
+  \cgalParamNEnd
   \cgalParamNBegin{vertex_point_map}
     \cgalParamDescription{a property map associating points to the vertices of `tm`}
     \cgalParamType{a class model of `ReadablePropertyMap` with
@@ -168,23 +227,7 @@ Error_code compute_cross_field(const TriangleMesh& tm, const BoundaryCurveNetwor
                                Cross_field& field,
                                const NamedParameters& np = parameters::default_values())
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-
-  if(network.error() != Error_code::OK)
-    return network.error();
-  const auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
-                                    get_const_property_map(vertex_point, tm));
-  field = Cross_field();
-  std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> vertex;
-  const Error_code code = internal::make_working_mesh(tm, network, vpm, field.mesh, vertex);
-  if(code != Error_code::OK)
-    return code;
-
-  if(!internal::compute_quad_sizes(field.mesh, vertex, get_parameter(np, internal_np::quad_size_map),
-                                   CGAL::to_double(network.diameter()), field.size))
-    return Error_code::INVALID_PARAMETER;
-  return internal::build_cross_field(field);
+  return internal::compute_cross_field(tm, network, 1, field, np);
 }
 
 } // namespace Surface_mesh_spline_conversion

@@ -21,6 +21,27 @@
 namespace CGAL {
 namespace Surface_mesh_spline_conversion {
 
+namespace internal {
+
+// See below. A map that is not valid leads to at most so many repairs of the field.
+inline Error_code compute_integer_grid_map(const Cross_field& field, int most_repairs,
+                                           Integer_grid_map& map)
+{
+  map = Integer_grid_map();
+  map.proxy = field.proxy;
+  Seamless_map seamless;
+  const Error_code code = compute_seamless_map(field, seamless, most_repairs);
+  if(code != Error_code::OK)
+  {
+    map.message = error_message(code);
+    return code;
+  }
+  return Integer_grid_map_builder(map).build(seamless) ? Error_code::OK
+                                                       : Error_code::NO_QUAD_LAYOUT;
+}
+
+} // namespace internal
+
 /*!
 \ingroup PkgSurfaceMeshSplineConversionRef
 
@@ -49,16 +70,7 @@ Error_code compute_integer_grid_map(const Cross_field& field, Integer_grid_map& 
                                     const NamedParameters& np = parameters::default_values())
 {
   CGAL_USE(np);
-  map = Integer_grid_map();
-  internal::Seamless_map seamless;
-  const Error_code code = internal::compute_seamless_map(field, seamless);
-  if(code != Error_code::OK)
-  {
-    map.message = error_message(code);
-    return code;
-  }
-  return internal::Integer_grid_map_builder(map).build(seamless) ? Error_code::OK
-                                                                 : Error_code::NO_QUAD_LAYOUT;
+  return internal::compute_integer_grid_map(field, internal::number_of_rungs, map);
 }
 
 } // namespace Surface_mesh_spline_conversion

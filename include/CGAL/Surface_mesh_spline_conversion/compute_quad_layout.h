@@ -27,6 +27,9 @@
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/number_utils.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -60,6 +63,83 @@ Error_code compute_padded_layout(const TriangleMesh& tm, const BoundaryCurveNetw
   return Error_code::OK;
 }
 
+// `true` if a stage before the layout failed for reasons that need not be those of the input
+inline bool has_no_map(Error_code code)
+{
+  return code == Error_code::NO_SEAMLESS_MAP || code == Error_code::NO_QUAD_LAYOUT
+         || code == Error_code::SINGULAR_SYSTEM || code == Error_code::DEGENERATE_MESH;
+}
+
+// One rung of the ladder of attempts to find a map: see `Cross_field` for the spacing.
+struct Map_attempt
+{
+  double spacing;
+  int most_repairs;
+};
+
+// What to try after a first attempt with `field`. Quads larger than the features of the shape
+// (handles, small loops, thin walls) would spread singularities over these: halving the spacing
+// lets them stay where the shape wants them. It ends at twice the edges of the mesh.
+inline void append_attempts(const Cross_field& field, std::vector<Map_attempt>& attempts)
+{
+  if(field.size.size() != field.mesh.points.size() || field.size.empty())
+    return;
+  const double smallest_spacing = 0.125, edges_per_spacing = 2;
+  const double size = *std::min_element(field.size.begin(), field.size.end());
+  const double edge = mean_edge_length(field.mesh);
+  double spacing = attempts.front().spacing;
+  while(spacing > smallest_spacing && spacing * size / 2 >= edges_per_spacing * edge)
+  {
+    spacing /= 2;
+    attempts.push_back(Map_attempt{spacing, 0});
+  }
+  attempts.push_back(Map_attempt{spacing, number_of_rungs});
+}
+
+inline std::string describe(const Map_attempt& attempt, const Integer_grid_map& map)
+{
+  std::string text;
+  const auto add = [&text](const std::string& part) { text += (text.empty() ? "" : "; ") + part; };
+  if(attempt.spacing < 1)
+    add("spacing of singularities divided by " + std::to_string(std::lround(1 / attempt.spacing)));
+  if(map.map.repairs > 0)
+    add("repairs: " + std::to_string(map.map.repairs));
+  if(!map.is_resolved)
+    add("rectangle composition: " + map.message);
+  return text.empty() ? "none" : text;
+}
+
+// Field and map, by the first attempt that succeeds.
+template <typename TriangleMesh, typename BoundaryCurveNetwork, typename Visitor,
+          typename NamedParameters>
+Error_code compute_field_and_map(const TriangleMesh& tm, const BoundaryCurveNetwork& network,
+                                 Cross_field& field, Integer_grid_map& map,
+                                 Conversion_report& report, Visitor& visitor,
+                                 const NamedParameters& np)
+{
+  const std::string message = report.message;
+  const int few_repairs = 1;
+  std::vector<Map_attempt> attempts(1, Map_attempt{1, few_repairs});
+  Error_code code = Error_code::NO_SEAMLESS_MAP;
+  for(std::size_t i = 0; i < attempts.size() && has_no_map(code); ++i)
+  {
+    const Map_attempt attempt = attempts[i];
+    report.message = message;
+    code = run_stage("cross_field", visitor, report, [&]()
+      { return compute_cross_field(tm, network, attempt.spacing, field, np); });
+    if(i == 0)
+      append_attempts(field, attempts);
+    if(code == Error_code::OK)
+      code = run_stage("integer_grid_map", visitor, report, [&]()
+        { return compute_integer_grid_map(field, attempt.most_repairs, map); });
+    if(code == Error_code::OK)
+      report.map.fallback = describe(attempt, map);
+    else if(has_no_map(code) && !map.message.empty())
+      report.message = map.message;
+  }
+  return code;
+}
+
 // the quads of an integer grid map
 template <typename TriangleMesh, typename BoundaryCurveNetwork, typename GeomTraits,
           typename Visitor, typename NamedParameters>
@@ -69,30 +149,11 @@ Error_code compute_mapped_layout(const TriangleMesh& tm, const BoundaryCurveNetw
 {
   Cross_field field;
   Integer_grid_map map;
-  Error_code code = run_stage("cross_field", visitor, report, [&]()
-    { return compute_cross_field(tm, network, field, np); });
-  if(code == Error_code::OK)
-    code = run_stage("integer_grid_map", visitor, report, [&]()
-      { return compute_integer_grid_map(field, map, np); });
+  const Error_code code = compute_field_and_map(tm, network, field, map, report, visitor, np);
   if(code != Error_code::OK)
-  {
-    if(!map.message.empty())
-      report.message = map.message;
     return code;
-  }
-  if(map.map.repairs > 0)
-    report.map.fallback = "repairs of the field: " + std::to_string(map.map.repairs);
-  if(!map.is_resolved)
-    report.map.fallback = "rectangle composition: " + map.message;
   return run_stage("quad_layout", visitor, report, [&]()
     { return extract_quad_layout(map, tm, network, layout, np); });
-}
-
-// `true` if a stage before the layout failed for reasons that need not be those of the input
-inline bool has_no_map(Error_code code)
-{
-  return code == Error_code::NO_SEAMLESS_MAP || code == Error_code::NO_QUAD_LAYOUT
-         || code == Error_code::SINGULAR_SYSTEM || code == Error_code::DEGENERATE_MESH;
 }
 
 } // namespace internal
@@ -103,8 +164,8 @@ inline bool has_no_map(Error_code code)
 computes a quad layout of a triangle mesh: a cross field, an integer grid map that follows it, and
 the quads of this map.
 
-Where the map fails, its repairs (see `compute_integer_grid_map()`) are tried one after the other.
-What cannot fail comes last: the mesh is coarsened, a ring of quads is laid along each boundary
+Where the map fails, singularities are moved, and quads that are larger than the features of the
+shape are given singularities at smaller distances. What cannot fail comes last: the mesh is coarsened, a ring of quads is laid along each boundary
 loop, and each triangle in between is divided into three quads. Such a layout is valid, but has many
 extraordinary points; its corners are regular vertices even where the boundary is convex.
 `Conversion_report::Map::fallback` says which of these was needed.

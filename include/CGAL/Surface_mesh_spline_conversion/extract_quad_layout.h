@@ -16,6 +16,7 @@
 #include <CGAL/Surface_mesh_spline_conversion/Quad_layout.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/layout/Layout_inverse_map.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/layout/Mapped_quads.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/layout/Proxy_inverse_map.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/named_parameters.h>
 
 #include <CGAL/boost/graph/iterator.h>
@@ -87,34 +88,46 @@ Quad_layout<GeomTraits> make_layout(const Quad_grid& grid, const Working_mesh& m
   return layout;
 }
 
-// Sets the points of the vertices: those at vertices of the mesh exactly, others by the inverse
-// map.
+// Sets the points of the vertices: those at the first `n` vertices of the mesh exactly, others by the
+// inverse map.
 template <typename GeomTraits>
-void set_points(const Quad_grid& grid, const Working_mesh& mesh, Quad_layout<GeomTraits>& layout)
+void set_points(const Quad_grid& grid, const Working_mesh& mesh, int n,
+                Quad_layout<GeomTraits>& layout)
 {
   for(std::size_t q = 0; q < layout.number_of_quads(); ++q)
     for(int i = 0; i < 4; ++i)
       layout.set_point(layout.vertex(q, i),
                        layout.inverse_map()(q, i == 1 || i == 2, i >= 2).point);
   for(int v = 0; v < grid.number_of_vertices(); ++v)
-    if(grid.mesh_vertex[v] >= 0)
+    if(grid.mesh_vertex[v] >= 0 && grid.mesh_vertex[v] < n)
     {
       const Eigen::Vector3d& p = mesh.points[grid.mesh_vertex[v]];
       layout.set_point(v, typename GeomTraits::Point_3(p[0], p[1], p[2]));
     }
 }
 
-// The layout of quads together with their inverse map.
+// The layout of quads together with their inverse map; the first `n` vertices of the mesh have exact
+// points.
+template <typename GeomTraits>
+void set_layout(const Quad_grid& grid, const Working_mesh& mesh, int n,
+                std::shared_ptr<const typename Quad_layout<GeomTraits>::Inverse_map> inverse_map,
+                Quad_layout<GeomTraits>& layout)
+{
+  layout = make_layout<GeomTraits>(grid, mesh);
+  layout.set_inverse_map(std::move(inverse_map));
+  set_points(grid, mesh, n, layout);
+}
+
+// The layout of quads that are found on a refinement of the input itself.
 template <typename Quads, typename GeomTraits>
 void set_layout(Quads quads, const Working_mesh& mesh,
                 const std::vector<std::array<Eigen::Vector3d, 3> >& input_faces,
                 Quad_layout<GeomTraits>& layout)
 {
   const Quad_grid grid = quads.quads();
-  layout = make_layout<GeomTraits>(grid, mesh);
-  layout.set_inverse_map(std::make_shared<const Layout_inverse_map<GeomTraits, Quads> >(
-    std::move(quads), mesh, input_faces));
-  set_points(grid, mesh, layout);
+  set_layout(grid, mesh, mesh.number_of_vertices(),
+             std::make_shared<const Layout_inverse_map<GeomTraits, Quads> >(std::move(quads), mesh,
+                                                                            input_faces), layout);
 }
 
 } // namespace internal
@@ -129,7 +142,9 @@ All decisions are exact, and the result is checked: it has the Euler characteris
 irregular vertices are the singularities of the map, corners of the boundary are vertices, and the
 boundary sides cover each boundary chain once. Vertices at vertices of the mesh have exactly their
 points. The inverse map is continuous up to rounding and maps no two quads to the same place. It is
-piecewise linear if the map has been solved again (`Integer_grid_map::is_resolved`).
+piecewise linear if the map has been solved again (`Integer_grid_map::is_resolved`) and there is no
+proxy. With a proxy, its points are projected to the mesh along normals that are interpolated on the
+proxy, and those of the boundary by arc length.
 
 \tparam TriangleMesh a model of `FaceListGraph`
 \tparam BoundaryCurveNetwork an instance of `Boundary_curve_network_3`
@@ -175,7 +190,16 @@ Error_code extract_quad_layout(const Integer_grid_map& map, const TriangleMesh& 
   const auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
                                     get_const_property_map(vertex_point, tm));
   const internal::Working_mesh& mesh = map.map.mesh;
-  internal::set_layout(std::move(quads), mesh, internal::face_corners(tm, vpm), layout);
+  const auto corners = internal::face_corners(tm, vpm);
+  if(!map.proxy)
+  {
+    internal::set_layout(std::move(quads), mesh, corners, layout);
+    return Error_code::OK;
+  }
+  const internal::Quad_grid grid = quads.quads();
+  internal::set_layout(grid, mesh, map.proxy->mesh.number_of_vertices(),
+                       std::make_shared<const internal::Proxy_inverse_map<GeomTraits> >(
+                         std::move(quads), mesh, map.proxy, corners), layout);
   return Error_code::OK;
 }
 

@@ -27,9 +27,10 @@ namespace Surface_mesh_spline_conversion {
 \ingroup PkgSurfaceMeshSplineConversionFunctions
 
 fits the boundary of `surface` to the boundary curves of `target`, and refines the surface along the
-boundary until a bound of the distance of both at equal parameters is below a tolerance. The bound
-is that of the Bernstein coefficients of the interpolated error, plus twice the largest remainder
-measured in between.
+boundary until a bound of the distance of both is below a tolerance. The distance is that to the
+closest points of the curves, or, if the error metric is parametric, that at equal parameters. The
+bound is that of the Bernstein coefficients of the interpolated error, plus twice the largest
+remainder measured in between.
 
 The boundary of the surface along a chain is a cubic spline that depends on the outermost row of
 control points only, hence the chains are independent least-squares problems. Corners are
@@ -52,6 +53,12 @@ plane. Spans with a too large error are bisected.
     \cgalParamDescription{the largest distance between the boundary and the curves, in model units}
     \cgalParamType{a number type convertible to `double`}
     \cgalParamDefault{`1e-6` times the diameter of the mesh}
+  \cgalParamNEnd
+  \cgalParamNBegin{error_metric}
+    \cgalParamDescription{how the distance is measured; `REPROJECTED` and `HAUSDORFF` are the same
+                           here}
+    \cgalParamType{`Error_metric`}
+    \cgalParamDefault{`Error_metric::REPROJECTED`}
   \cgalParamNEnd
   \cgalParamNBegin{maximum_number_of_patches}
     \cgalParamDescription{the surface is not refined any further if it has that many patches}

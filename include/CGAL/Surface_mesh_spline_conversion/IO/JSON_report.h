@@ -97,6 +97,28 @@ inline void write_JSON_map(JSON_writer& json, const Conversion_report::Map& map)
   json.close('}');
 }
 
+inline void write_JSON_stitching(JSON_writer& json, const Stitching_report& stitching)
+{
+  if(stitching.method == Stitching_report().method)
+    return;
+  json.open("stitching", '{');
+  json.member("method", stitching.method);
+  json.member("solids", stitching.solids);
+  json.member("shells", stitching.shells);
+  json.member("faces", stitching.faces);
+  json.member("free_edges", stitching.free_edges);
+  json.member("unmatched_edges", stitching.unmatched_edges);
+  json.member("multiple_edges", stitching.multiple_edges);
+  json.member("is_valid", std::size_t(stitching.is_valid));
+  json.member("edge_distance_mm", stitching.edge_distance);
+  json.member("edge_deviation_mm", stitching.edge_deviation);
+  json.member("edge_tolerance_mm", stitching.edge_tolerance);
+  json.member("vertex_tolerance_mm", stitching.vertex_tolerance);
+  json.member("residual_tolerance_mm", stitching.residual_tolerance);
+  json.member("volume_mm3", stitching.volume);
+  json.close('}');
+}
+
 inline void write_JSON_course(JSON_writer& json, const Conversion_report& report)
 {
   json.open("iterations", '[');
@@ -142,6 +164,7 @@ numbers that were not measured are written as `null`. The members are
 - `input`, `xi`, `delta`, `quad_size`, `boundary`, `interior`, `counts`, `smoothness`, `map`,
   `iterations`, `stages`, `peak_memory_bytes`: the members of
   `Surface_mesh_spline_conversion::Conversion_report`; `xi` and `delta` are the two tolerances
+- `stitching`, if the surface was stitched with a B-Rep: `Stitching_report`, in millimetres
 
 \returns `true` if the stream is good after writing
 */
@@ -158,6 +181,7 @@ inline bool write_JSON(std::ostream& out,
   SC::internal::write_JSON_deviations(json, report);
   SC::internal::write_JSON_counts(json, report);
   SC::internal::write_JSON_map(json, report.map);
+  SC::internal::write_JSON_stitching(json, report.stitching);
   SC::internal::write_JSON_course(json, report);
   json.close('}');
   return out.good();

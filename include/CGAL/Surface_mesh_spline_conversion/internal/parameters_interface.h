@@ -21,6 +21,7 @@ CGAL_add_named_parameter(maximum_number_of_patches_t, maximum_number_of_patches,
                          maximum_number_of_patches)
 CGAL_add_named_parameter(do_merge_patches_t, do_merge_patches, do_merge_patches)
 CGAL_add_named_parameter(boundary_vertices_t, boundary_vertices, boundary_vertices)
+CGAL_add_named_parameter(use_proxy_mesh_t, use_proxy_mesh, use_proxy_mesh)
 #endif
 
 // parameters that CGAL already has and that this package accepts

@@ -28,7 +28,6 @@
 #include <string>
 #include <system_error>
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace CGAL {
@@ -216,8 +215,7 @@ private:
       const Spline<Point_3> s = read_spline<Point_3>(value);
       require_no_defect(
         name, NURBS_curve_3<K>::defect(s.degree, s.knots, s.control_points, s.weights));
-      result.curves.push_back(
-        NURBS_curve_3<K>(s.degree, s.knots, s.control_points, s.weights));
+      add_curve(value, NURBS_curve_3<K>(s.degree, s.knots, s.control_points, s.weights), result);
     }
     else if(type == "curve_on_surface")
     {
@@ -225,12 +223,18 @@ private:
       const Elementary_surface_3<K> surface = read_surface(value.at("surface"));
       require_no_defect(name, Curve_on_surface_3<K>::defect(surface, s.degree, s.knots,
                                                             s.control_points, s.weights));
-      result.curves.push_back(
-        Curve_on_surface_3<K>(surface, s.degree, s.knots, s.control_points, s.weights));
+      add_curve(value, Curve_on_surface_3<K>(surface, s.degree, s.knots, s.control_points,
+                                             s.weights), result);
     }
     else
       throw JSON_error(name + "the type \"" + type + "\" is unknown");
-    m_ranges.push_back(read_range(value, result.curves.back()));
+  }
+
+  template <typename Curve>
+  void add_curve(const JSON_value& value, const Curve& curve, Case& result)
+  {
+    result.curves.push_back(curve);
+    m_ranges.push_back(read_range(value, {curve.first_parameter(), curve.last_parameter()}));
   }
 
   static void require_no_defect(const std::string& name, const std::string& defect)
@@ -240,11 +244,8 @@ private:
   }
 
   // returns the interval of parameters allowed on edges.
-  static std::pair<FT, FT> read_range(const JSON_value& value,
-                                      const typename Case::Curve_3& curve)
+  static std::pair<FT, FT> read_range(const JSON_value& value, std::pair<FT, FT> range)
   {
-    std::pair<FT, FT> range = std::visit([](const auto& c)
-      { return std::make_pair(c.first_parameter(), c.last_parameter()); }, curve);
     if(const JSON_value* member = value.find("range"))
     {
       const std::vector<double> r = member->as_numbers(2);

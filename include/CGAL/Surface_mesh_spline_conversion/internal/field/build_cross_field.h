@@ -56,10 +56,31 @@ inline Error_code try_to_build_cross_field(Cross_field& field, bool& has_room)
   return adapt_angles(field, geometry, smoother);
 }
 
+// Multiplies the sizes by the spacing of the singularities, as long as the object lives.
+class Spacing_as_size
+{
+public:
+  explicit Spacing_as_size(Cross_field& field) : m_field(field) { multiply(field.spacing); }
+  ~Spacing_as_size() { multiply(1 / m_field.spacing); }
+  Spacing_as_size(const Spacing_as_size&) = delete;
+  Spacing_as_size& operator=(const Spacing_as_size&) = delete;
+
+private:
+  void multiply(double factor)
+  {
+    if(factor != 1)
+      for(double& size : m_field.size)
+        size *= factor;
+  }
+
+  Cross_field& m_field;
+};
+
 // Computes the cross field on `field.mesh`, which has no ears, for the quad sizes `field.size`, and
 // refines the mesh where field and map need it.
 inline Error_code build_cross_field(Cross_field& field)
 {
+  const Spacing_as_size spacing(field);
   // each attempt halves the length of the longest edges
   const int most_attempts = 5;
   double longest_edge = 1;
@@ -80,6 +101,7 @@ inline Error_code build_cross_field(Cross_field& field)
 // Moves the singularities near the given vertices.
 inline Error_code relocate_singularities(Cross_field& field, const std::vector<int>& vertices)
 {
+  const Spacing_as_size spacing(field);
   const Face_geometry geometry(field.mesh, field.axis);
   Index_surgery(field, geometry).relocate_near(vertices);
   Cross_field_smoother smoother(field, geometry);

@@ -57,6 +57,23 @@ class Boundary_fitter
     {
       return to_eigen(target->curve_derivative(chain, FT(x), 1));
     }
+
+    double arc_length(double x) const
+    {
+      return CGAL::to_double(target->arc_length(chain, FT(x)));
+    }
+
+    double speed(double x) const { return CGAL::to_double(target->speed(chain, FT(x))); }
+
+    Eigen::Vector3d curve_point(double s) const
+    {
+      return to_eigen(target->network().point(chain, FT(s)));
+    }
+
+    Eigen::Vector3d curve_tangent(double s) const
+    {
+      return to_eigen(target->network().derivative(chain, FT(s), 1));
+    }
   };
 
 public:
@@ -127,18 +144,24 @@ private:
   bool fit()
   {
     m_worst = Span_error();
+    m_parametric_deviation = 0;
     m_is_met.assign(m_curves.size(), true);
     for(size_type c = 0; c < m_curves.size(); ++c)
     {
       if(m_target.number_of_sides(c) == 0)
         continue;
-      const Chain_fit result = fit_chain(knots(c), m_curves[c]);
+      const Chain_knots chain_knots = knots(c);
+      const Chain_fit result = fit_chain(chain_knots, m_curves[c], m_options.error_metric,
+                                         m_options.tolerance);
       if(!result.is_solved)
       {
         m_worst_chain = c;
         return false;
       }
       set_control_points(c, result.polygon);
+      for(const Span_error& error : errors_at_equal_parameters(chain_knots.basis(), result.polygon,
+                                                               m_curves[c]))
+        m_parametric_deviation = (std::max)(m_parametric_deviation, error.sampled);
       const Span_error worst = result.worst();
       m_is_met[c] = worst.bound < m_options.tolerance;
       if(worst.bound > m_worst.bound)
@@ -166,7 +189,8 @@ private:
     std::vector<Chain_knots> plans(m_curves.size());
     for(size_type c = 0; c < m_curves.size(); ++c)
       if(!m_is_met[c])
-        plans[c] = plan_bisection(knots(c), m_curves[c], m_options.tolerance, shortest_span,
+        plans[c] = plan_bisection(knots(c), m_curves[c], m_options.error_metric,
+                                  m_options.tolerance, shortest_span,
                                   m_options.maximum_number_of_patches);
     bool is_refined = false;
     for(;;)
@@ -210,7 +234,8 @@ private:
     entry.iteration = iteration;
     entry.patches = m_surface.number_of_patches();
     entry.control_points = m_surface.number_of_control_points();
-    entry.boundary_linf = m_worst.sampled;
+    entry.boundary_linf = m_parametric_deviation;
+    entry.boundary_hausdorff = m_worst.sampled;
     entry.seconds = seconds;
     m_report.iterations.push_back(entry);
     m_visitor.on_iteration(entry);
@@ -222,7 +247,7 @@ private:
       return;
     Conversion_report::Boundary& b = m_report.boundary;
     b.certified_bound = m_worst.bound;
-    b.max_parametric_deviation = m_worst.sampled;
+    b.max_parametric_deviation = m_parametric_deviation;
     b.worst_curve = m_worst_chain;
     b.worst_parameter
       = CGAL::to_double(m_target.arc_length(m_worst_chain, FT(m_worst.worst)));
@@ -236,6 +261,7 @@ private:
   std::vector<Cached_curve_target<Chain_target> > m_curves;
   std::vector<bool> m_is_met; // per chain
   Span_error m_worst;
+  double m_parametric_deviation = 0;
   size_type m_worst_chain = 0;
 };
 

@@ -19,8 +19,9 @@ namespace CGAL {
 namespace Surface_mesh_spline_conversion {
 namespace internal {
 
-// A curve target that remembers its values. The parameters are dyadic and recur from one
-// refinement level to the next (paper, section 3.2.3), hence the exact comparison of numbers.
+// A curve target that remembers its values at the parameters of the spline. These are dyadic and
+// recur from one refinement level to the next (paper, section 3.2.3), hence the exact comparison of
+// numbers.
 template <typename CurveTarget>
 class Cached_curve_target
 {
@@ -42,6 +43,11 @@ public:
       it = m_derivatives.emplace(x, m_target.derivative(x)).first;
     return it->second;
   }
+
+  double arc_length(double x) const { return m_target.arc_length(x); }
+  double speed(double x) const { return m_target.speed(x); }
+  Eigen::Vector3d curve_point(double s) const { return m_target.curve_point(s); }
+  Eigen::Vector3d curve_tangent(double s) const { return m_target.curve_tangent(s); }
 
 private:
   CurveTarget m_target;

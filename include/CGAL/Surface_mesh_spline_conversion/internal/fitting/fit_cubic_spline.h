@@ -40,6 +40,10 @@ inline Eigen::Vector3d evaluate(const Cubic_spline_basis::Values& values,
   return result;
 }
 
+// Boole's rule on the unit interval; it has degree of exactness 5, and positive weights
+constexpr std::array<double, 5> boole_weights
+  = {{7. / 90, 32. / 90, 12. / 90, 32. / 90, 7. / 90}};
+
 // Fits a cubic spline to a curve in the least-squares sense (paper, section 3.2.1).
 //
 // The end points and end derivatives of an open spline are those of the target (section 3.2.2);
@@ -118,15 +122,13 @@ private:
 
   bool solve()
   {
-    // Boole's rule; it has degree of exactness 5, and positive weights
-    const std::array<double, 5> weights = {{7. / 90, 32. / 90, 12. / 90, 32. / 90, 7. / 90}};
     const int n = static_cast<int>(m_number_of_free);
     m_right_hand_side.setZero(n, 3);
     for(std::size_t span = 0; span < m_basis.number_of_spans(); ++span)
     {
       const double begin = m_basis.span_begin(span), length = m_basis.span_end(span) - begin;
-      for(std::size_t k = 0; k < weights.size(); ++k)
-        add_sample(span, begin + length * (double(k) / 4), length * weights[k]);
+      for(std::size_t k = 0; k < boole_weights.size(); ++k)
+        add_sample(span, begin + length * (double(k) / 4), length * boole_weights[k]);
     }
     Eigen::SparseMatrix<double> matrix(n, n);
     matrix.setFromTriplets(m_entries.begin(), m_entries.end());

@@ -26,6 +26,7 @@ namespace internal {
 struct Boundary_fit_options
 {
   double tolerance;
+  Error_metric error_metric;
   std::size_t maximum_number_of_patches;
 };
 
@@ -49,13 +50,20 @@ std::size_t maximum_number_of_patches(const NamedParameters& np)
     default_maximum_number_of_patches));
 }
 
+template <typename NamedParameters>
+Error_metric error_metric(const NamedParameters& np)
+{
+  return parameters::choose_parameter(parameters::get_parameter(np, internal_np::error_metric),
+                                      Error_metric::REPROJECTED);
+}
+
 template <typename Target, typename NamedParameters>
 Boundary_fit_options boundary_fit_options(const Target& target, const NamedParameters& np)
 {
   const double tolerance = CGAL::to_double(parameters::choose_parameter(
     parameters::get_parameter(np, internal_np::boundary_tolerance),
     default_relative_boundary_tolerance * CGAL::to_double(target.diameter())));
-  return Boundary_fit_options{tolerance, maximum_number_of_patches(np)};
+  return Boundary_fit_options{tolerance, error_metric(np), maximum_number_of_patches(np)};
 }
 
 template <typename Target, typename NamedParameters>
@@ -64,9 +72,7 @@ Interior_fit_options interior_fit_options(const Target& target, const NamedParam
   const double tolerance = CGAL::to_double(parameters::choose_parameter(
     parameters::get_parameter(np, internal_np::interior_tolerance),
     default_relative_interior_tolerance * CGAL::to_double(target.diameter())));
-  const Error_metric metric = parameters::choose_parameter(
-    parameters::get_parameter(np, internal_np::error_metric), Error_metric::REPROJECTED);
-  return Interior_fit_options{tolerance, metric, maximum_number_of_patches(np)};
+  return Interior_fit_options{tolerance, error_metric(np), maximum_number_of_patches(np)};
 }
 
 } // namespace internal

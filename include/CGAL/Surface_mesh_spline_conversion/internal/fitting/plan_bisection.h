@@ -11,8 +11,10 @@
 
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
+#include <CGAL/Surface_mesh_spline_conversion/Error_metric.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/Cubic_spline_basis.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/fit_cubic_spline.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/fitting/fit_spline_shape.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/spline_error.h>
 
 #include <algorithm>
@@ -36,13 +38,14 @@ struct Chain_knots
   }
 };
 
-// returns how often a span with the given error is bisected at once. The error of a smooth curve
-// falls by 16 per bisection; the last one of the predicted bisections is left to the next
-// measurement, as an error may fall faster at first.
-inline int number_of_bisections(double error, double tolerance)
+// Returns how often a span with the given error is bisected at once. The error of a smooth curve
+// falls by 16 per bisection, that of its shape by up to 64; the last one of the predicted
+// bisections is left to the next measurement, as an error may fall faster at first.
+inline int number_of_bisections(double error, double tolerance, Error_metric metric)
 {
   constexpr int maximum_at_once = 4;
-  const int levels = static_cast<int>(std::floor(std::log(error / tolerance) / std::log(16.)));
+  const double gain = metric == Error_metric::PARAMETRIC ? 16 : 64;
+  const int levels = static_cast<int>(std::floor(std::log(error / tolerance) / std::log(gain)));
   return (std::max)(1, (std::min)(levels, maximum_at_once));
 }
 
@@ -154,7 +157,22 @@ struct Chain_fit
   }
 };
 
-// fits a chain on given knots and measures the error
+template <typename CurveTarget>
+std::vector<Span_error> errors_at_equal_parameters(const Cubic_spline_basis& basis,
+                                                   const Control_polygon& polygon,
+                                                   CurveTarget& target)
+{
+  std::vector<Span_error> result;
+  for(std::size_t span = 0; span < basis.number_of_spans(); ++span)
+  {
+    const double begin = basis.span_begin(span), length = basis.span_end(span) - begin;
+    result.push_back(spline_error(basis, polygon,
+                                  sample_at_equal_parameters(begin, length, target), span));
+  }
+  return result;
+}
+
+// fits a chain on given knots at equal parameters, and measures the error there
 template <typename CurveTarget>
 Chain_fit fit_chain(const Chain_knots& knots, CurveTarget& target)
 {
@@ -165,26 +183,72 @@ Chain_fit fit_chain(const Chain_knots& knots, CurveTarget& target)
   if(!result.is_solved)
     return result;
   result.polygon = fitter.polygon();
-  for(std::size_t span = 0; span < basis.number_of_spans(); ++span)
-    result.errors.push_back(spline_error(basis, result.polygon, target, span));
+  result.errors = errors_at_equal_parameters(basis, result.polygon, target);
   return result;
+}
+
+// Improves the fit `start` at equal parameters to one of the shape of the curve. The spline may
+// move along the curve, as far as the surface beside it can follow; where it moves too far, the
+// weight of the distances along the curve is increased.
+template <typename CurveTarget>
+Chain_fit fit_chain_shape(const Chain_knots& knots, const Chain_fit& start, CurveTarget& target)
+{
+  constexpr double tangential_weights[] = {1e-4, 1e-3, 1e-2, 1e-1};
+  constexpr double largest_shift = 0.05; // in sides of quads
+  const Cubic_spline_basis basis = knots.basis();
+  for(double weight : tangential_weights)
+  {
+    Chain_fit result = start;
+    if(!Spline_shape_fitter<CurveTarget>(basis, target, weight)(result.polygon))
+      continue;
+    const Closest_point_sampler<CurveTarget> sampler(basis, result.polygon, target);
+    Span_samples samples;
+    bool is_admissible = true;
+    for(std::size_t span = 0; span < basis.number_of_spans() && is_admissible; ++span)
+    {
+      is_admissible = sampler(span, largest_shift, samples);
+      if(is_admissible)
+        result.errors[span] = spline_error(basis, result.polygon, samples, span);
+    }
+    if(is_admissible && result.worst().bound < start.worst().bound)
+      return result;
+  }
+  return start;
+}
+
+// fits a chain on given knots as close as the metric asks for
+template <typename CurveTarget>
+Chain_fit fit_chain(const Chain_knots& knots, CurveTarget& target, Error_metric metric,
+                    double tolerance)
+{
+  const Chain_fit result = fit_chain(knots, target);
+  if(metric == Error_metric::PARAMETRIC || !result.is_solved
+     || result.worst().bound < tolerance)
+    return result;
+  return fit_chain_shape(knots, result, target);
 }
 
 // Returns knots on which the bound of the error is below the tolerance, by bisection of the spans
 // where it is not; gives up at `maximum_number_of_spans`, or where spans would become shorter than
 // `shortest_span`.
 template <typename CurveTarget>
-Chain_knots plan_bisection(Chain_knots chain, CurveTarget& target, double tolerance,
-                           double shortest_span, std::size_t maximum_number_of_spans)
+Chain_knots plan_bisection(Chain_knots chain, CurveTarget& target, Error_metric metric,
+                           double tolerance, double shortest_span,
+                           std::size_t maximum_number_of_spans)
 {
+  // spans with a much smaller error than the worst one wait: it is often the one beside them that
+  // disturbs them
+  constexpr double share_of_worst = 1. / 16;
   for(;;)
   {
-    const Chain_fit fit = fit_chain(chain, target);
+    const Chain_fit fit = fit_chain(chain, target, metric, tolerance);
     if(!fit.is_solved)
       return chain;
+    const double threshold = (std::max)(tolerance, share_of_worst * fit.worst().bound);
     std::vector<int> levels;
     for(const Span_error& error : fit.errors)
-      levels.push_back(error.bound < tolerance ? 0 : number_of_bisections(error.bound, tolerance));
+      levels.push_back(error.bound < threshold
+                       ? 0 : number_of_bisections(error.bound, tolerance, metric));
     Chain_knots finer = Chain_bisection(chain, shortest_span)(levels);
     if(finer.knots.size() == chain.knots.size()
        || finer.knots.size() > maximum_number_of_spans)

@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
+#include <CGAL/Surface_mesh_spline_conversion/internal/fitting/Span_samples.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/fit_cubic_spline.h>
 
 #include <Eigen/Core>
@@ -31,50 +32,50 @@ struct Span_error
   double worst = 0;   // parameter of this sample
 };
 
-// Bounds the distance between a spline and its target at equal parameters, over one span.
+// Bounds the distance between a spline and a curve over one span, along the correspondence of the
+// samples.
 //
-// On each of eight sub-intervals of length eta the error E is split in its cubic Hermite
-// interpolant, bounded by its four Bernstein coefficients, and the remainder, which is at most
-// eta^4 / 384 max |E''''| and attains eta^4 / 384 E'''' at the middle up to higher order. As the
-// fourth derivative of a spline vanishes, E'''' is that of the target, and is small at this
-// scale. The remainder is measured at the middle of each sub-interval; twice the largest of them
-// stands for its bound.
-template <typename CurveTarget>
-Span_error spline_error(const Cubic_spline_basis& basis, const Control_polygon& polygon,
-                        CurveTarget& target, std::size_t span)
+// On each piece, of length eta, the error E is split in its cubic Hermite interpolant, bounded by
+// its four Bernstein coefficients, and the remainder, which is at most eta^4 / 384 max |E''''| and
+// attains eta^4 / 384 E'''' at the middle up to higher order. As the fourth derivative of a spline
+// vanishes, E'''' is that of the curve, and is small at this scale. The remainder is measured at
+// the middle of each piece; twice the largest of them stands for its bound.
+inline Span_error spline_error(const Cubic_spline_basis& basis, const Control_polygon& polygon,
+                               const Span_samples& samples, std::size_t span)
 {
-  constexpr std::size_t number_of_pieces = 8;
+  constexpr std::size_t n = Span_samples::number_of_pieces;
   constexpr double safety_factor = 2;
   const double begin = basis.span_begin(span), length = basis.span_end(span) - begin;
-  const double eta = length / number_of_pieces;
+  const double eta = length / double(n);
 
   Span_error result;
   double remainder = 0;
-  std::array<Eigen::Vector3d, number_of_pieces + 1> error, slope;
-  auto error_at = [&](const Cubic_spline_basis::Values& values, double x)
+  std::array<Eigen::Vector3d, n + 1> error, slope;
+  auto measure = [&](const Eigen::Vector3d& e, double x)
   {
-    const Eigen::Vector3d e = evaluate(values, polygon, 0) - target.point(x);
     if(e.norm() > result.sampled)
     {
       result.sampled = e.norm();
       result.worst = x;
     }
-    return e;
   };
 
-  for(std::size_t i = 0; i <= number_of_pieces; ++i)
+  for(std::size_t i = 0; i <= n; ++i)
   {
-    const double x = begin + length * (double(i) / number_of_pieces);
+    const double x = begin + length * (double(i) / double(n));
     const Cubic_spline_basis::Values values = basis.values(span, x);
-    error[i] = error_at(values, x);
-    slope[i] = (evaluate(values, polygon, 1) - target.derivative(x)) * eta;
+    error[i] = evaluate(values, polygon, 0) - samples.point[i];
+    slope[i] = (evaluate(values, polygon, 1) - samples.derivative[i]) * eta;
+    measure(error[i], x);
   }
-  for(std::size_t i = 0; i < number_of_pieces; ++i)
+  for(std::size_t i = 0; i < n; ++i)
   {
-    const double x = begin + length * ((double(i) + 0.5) / number_of_pieces);
+    const double x = begin + length * ((double(i) + 0.5) / double(n));
+    const Eigen::Vector3d middle = evaluate(basis.values(span, x), polygon, 0) - samples.middle[i];
     const Eigen::Vector3d hermite
       = (error[i] + error[i + 1]) / 2 + (slope[i] - slope[i + 1]) / 8;
-    remainder = (std::max)(remainder, (error_at(basis.values(span, x), x) - hermite).norm());
+    measure(middle, x);
+    remainder = (std::max)(remainder, (middle - hermite).norm());
     result.bound = (std::max)({result.bound, error[i].norm(), error[i + 1].norm(),
                                (error[i] + slope[i] / 3).norm(),
                                (error[i + 1] - slope[i + 1] / 3).norm()});

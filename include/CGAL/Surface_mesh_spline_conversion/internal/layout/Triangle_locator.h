@@ -91,13 +91,6 @@ inline bool do_intersect(const Open_box& box, const std::array<Fixed_point_2, 3>
   return true;
 }
 
-// a point of the working mesh
-struct Working_location
-{
-  int face;
-  std::array<double, 3> barycentric;
-};
-
 // For every quad the faces that it overlaps, with their barycentric coordinates as functions of the
 // coordinates of the chart.
 class Triangle_locator

@@ -66,6 +66,9 @@ struct Working_mesh
 
   Eigen::Vector3d vector(int h) const { return points[target(h)] - points[source(h)]; }
 
+  // normal of a face, of the length of twice its area
+  Eigen::Vector3d normal(int f) const { return vector(3 * f).cross(vector(3 * f + 1)); }
+
   // calls `function(h)` for the halfedges that leave `v`, one per face, counter clockwise
   template <typename Function>
   void for_each_outgoing(int v, Function function) const
@@ -152,6 +155,13 @@ private:
     boundary_piece[h].last = middle;
     boundary_piece[near_target].first = middle;
   }
+};
+
+// a point of the working mesh
+struct Working_location
+{
+  int face;
+  std::array<double, 3> barycentric; // sums up to one
 };
 
 // Connected component of every face, numbered from 0.

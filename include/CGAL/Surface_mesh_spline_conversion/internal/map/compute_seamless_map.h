@@ -195,9 +195,10 @@ inline Error_code repair(int rung, const std::vector<int>& vertices, Cross_field
 }
 
 // Computes a seamless map that follows `input`. Where this fails, singularities are moved and the
-// mesh is refined.
+// mesh is refined, at most as many times as there are repairs.
 inline Error_code compute_seamless_map(const Cross_field& input, Seamless_map& map,
-                                       Map_statistics& statistics)
+                                       Map_statistics& statistics,
+                                       int most_repairs = number_of_rungs)
 {
   Cross_field field = input;
   for(int rung = 0;; ++rung)
@@ -209,7 +210,7 @@ inline Error_code compute_seamless_map(const Cross_field& input, Seamless_map& m
     map.repairs = rung;
     if(result.second.empty())
       return Error_code::OK;
-    if(rung == number_of_rungs)
+    if(rung == most_repairs)
       return Error_code::NO_SEAMLESS_MAP;
     const Error_code code = repair(rung + 1, result.second, field);
     if(code != Error_code::OK)
@@ -217,10 +218,11 @@ inline Error_code compute_seamless_map(const Cross_field& input, Seamless_map& m
   }
 }
 
-inline Error_code compute_seamless_map(const Cross_field& field, Seamless_map& map)
+inline Error_code compute_seamless_map(const Cross_field& field, Seamless_map& map,
+                                       int most_repairs = number_of_rungs)
 {
   Map_statistics statistics;
-  return compute_seamless_map(field, map, statistics);
+  return compute_seamless_map(field, map, statistics, most_repairs);
 }
 
 } // namespace internal

@@ -174,7 +174,7 @@ private:
 inline Map_defects untangle(const Working_mesh& mesh, const std::vector<int>& cone,
                             Map_system& system, Map_iterate& map, int& iterations)
 {
-  const int most_iterations = 100, patience = 25;
+  const int most_iterations = 50, patience = 12;
   Map_defects defects = find_map_defects(mesh, cone, system, map.x);
   Epsilon_schedule schedule(defects.smallest_determinant);
   std::size_t fewest = defects.vertices.size();

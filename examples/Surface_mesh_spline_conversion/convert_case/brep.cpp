@@ -1,0 +1,119 @@
+// The part of convert_case that is compiled only if Open CASCADE is found.
+
+#include "brep.h"
+
+#include <CGAL/Surface_mesh_spline_conversion/Open_cascade_curve_traits_3.h>
+#include <CGAL/Surface_mesh_spline_conversion/associate_boundary_with_BRep.h>
+#include <CGAL/Surface_mesh_spline_conversion/stitch_with_BRep.h>
+#include <CGAL/Surface_mesh_spline_conversion/IO/BRep.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <Standard_Failure.hxx>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace {
+
+namespace SC = CGAL::Surface_mesh_spline_conversion;
+
+typedef CGAL::Simple_cartesian<double> K;
+typedef SC::Stitching_report Report;
+typedef SC::Open_cascade_curve_traits_3<K>::Curve_3 Kernel_curve;
+typedef SC::Curve_segment<SC::Open_cascade_curve_traits_3<K> > Kernel_segment;
+typedef SC::Function_curve_traits_3<K>::Curve_3 Function_curve;
+
+// the length of a unit in millimetres
+double millimetres(const std::string& unit)
+{
+  const std::map<std::string, double> lengths
+    = {{"mm", 1}, {"cm", 10}, {"m", 1000}, {"um", 1e-3}, {"in", 25.4}};
+  const auto length = lengths.find(unit);
+  return (length == lengths.end()) ? 1 : length->second;
+}
+
+std::string stitch(const Brep_shell& shell, const Stitching_task& task, Report& report)
+{
+  const double scale = millimetres(task.unit);
+  TopoDS_Shape residual, result;
+  std::string message;
+  if(!CGAL::IO::read_BRep(task.residual, residual, message))
+    return message;
+  SC::stitch_with_BRep(shell, residual, scale * task.tolerance,
+                                                         result, report, scale);
+  if(!CGAL::IO::write_BRep(task.output, result, task.unit))
+    return task.output + " cannot be written";
+  return std::string();
+}
+
+// The conversion itself is compiled without Open CASCADE: it sees functions.
+Function_curve function_curve(const Kernel_curve& curve)
+{
+  return Function_curve([curve](double t) { return curve.point(t); },
+                        [curve](double t, int order) { return curve.derivative(t, order); });
+}
+
+std::string associate(const Brep_mesh& mesh, const std::string& residual,
+                      std::vector<Function_segment>& segments)
+{
+  TopoDS_Shape shape;
+  std::string message;
+  if(!CGAL::IO::read_BRep(residual, shape, message))
+    return message;
+  std::vector<Kernel_segment> found(mesh.number_of_halfedges());
+  if(SC::associate_boundary_with_BRep(
+       mesh, shape, boost::make_iterator_property_map(found.begin(),
+                                                      get(boost::halfedge_index, mesh)),
+       message) != SC::Error_code::OK)
+    return message;
+  std::vector<std::pair<Kernel_curve, Function_curve> > curves;
+  for(std::size_t h = 0; h < found.size(); ++h)
+  {
+    const Kernel_segment& s = found[h];
+    if(s.is_empty())
+      continue;
+    auto known = std::find_if(curves.begin(), curves.end(),
+                              [&s](const auto& pair) { return pair.first == s.curve; });
+    if(known == curves.end())
+      known = curves.insert(curves.end(), {s.curve, function_curve(s.curve)});
+    segments[h] = {known->second, s.first, s.second};
+  }
+  return std::string();
+}
+
+std::string failure_message(const Standard_Failure& failure)
+{
+  return std::string("Open CASCADE failed: ") + failure.GetMessageString();
+}
+
+} // namespace
+
+std::string associate_with_residual(const Brep_mesh& mesh, const std::string& residual,
+                                    std::vector<Function_segment>& segments,
+                                    std::vector<char>& corners)
+{
+  segments.assign(mesh.number_of_halfedges(), Function_segment());
+  corners.assign(mesh.number_of_vertices(), false);
+  try
+  {
+    return associate(mesh, residual, segments);
+  }
+  catch(const Standard_Failure& failure)
+  {
+    return failure_message(failure);
+  }
+}
+
+std::string stitch_and_write(const Brep_shell& shell, const Stitching_task& task, Report& report)
+{
+  try
+  {
+    return stitch(shell, task, report);
+  }
+  catch(const Standard_Failure& failure)
+  {
+    return failure_message(failure);
+  }
+}

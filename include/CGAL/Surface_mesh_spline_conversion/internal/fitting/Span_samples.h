@@ -1,0 +1,130 @@
+// Copyright (c) 2026 the authors of the package Surface_mesh_spline_conversion.
+// All rights reserved.
+//
+// This file is part of the package Surface_mesh_spline_conversion, which is being
+// prepared for submission to CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+#ifndef CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_FITTING_SPAN_SAMPLES_H
+#define CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_FITTING_SPAN_SAMPLES_H
+
+#include <CGAL/license/Surface_mesh_spline_conversion.h>
+
+#include <CGAL/Surface_mesh_spline_conversion/internal/fitting/fit_cubic_spline.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace CGAL {
+namespace Surface_mesh_spline_conversion {
+namespace internal {
+
+// The points of a curve that are compared with those of a spline over one span, cut in equal
+// pieces: at the ends of the pieces with the derivative with respect to the parameter of the spline,
+// and in their middle.
+struct Span_samples
+{
+  static constexpr std::size_t number_of_pieces = 8;
+
+  std::array<Eigen::Vector3d, number_of_pieces + 1> point, derivative;
+  std::array<Eigen::Vector3d, number_of_pieces> middle;
+};
+
+// samples the curve at the parameters of the spline
+template <typename CurveTarget>
+Span_samples sample_at_equal_parameters(double begin, double length, CurveTarget& target)
+{
+  constexpr std::size_t n = Span_samples::number_of_pieces;
+  Span_samples result;
+  for(std::size_t i = 0; i <= n; ++i)
+  {
+    const double x = begin + length * (double(i) / double(n));
+    result.point[i] = target.point(x);
+    result.derivative[i] = target.derivative(x);
+  }
+  for(std::size_t i = 0; i < n; ++i)
+    result.middle[i] = target.point(begin + length * ((double(i) + 0.5) / double(n)));
+  return result;
+}
+
+// Moves the arc length `s` to the point of the curve closest to `p`. The steps leave out the
+// curvature of the curve, which is small against the inverse of the distance.
+template <typename CurveTarget>
+double closest_arc_length(const Eigen::Vector3d& p, double s, CurveTarget& target)
+{
+  constexpr int number_of_steps = 3;
+  for(int i = 0; i < number_of_steps; ++i)
+    s += (p - target.curve_point(s)).dot(target.curve_tangent(s));
+  return s;
+}
+
+// Samples a curve at the points that are closest to those of a spline.
+//
+// The closest points are taken at the ends of the pieces; in between, the arc length is the cubic
+// polynomial with the values and slopes there. Where it increases, the spline and the curve are
+// compared along a continuous one-to-one correspondence, so that a bound of their distances is a
+// bound of the Hausdorff distance, whatever points are chosen.
+template <typename CurveTarget>
+class Closest_point_sampler
+{
+public:
+  Closest_point_sampler(const Cubic_spline_basis& basis, const Control_polygon& polygon,
+                        CurveTarget& target)
+    : m_basis(basis), m_polygon(polygon), m_target(target)
+  {}
+
+  // Samples the curve along a span. Returns `false` if the correspondence is not increasing, or
+  // further from that of equal parameters than the speed times `largest_shift`, or much slower or
+  // faster.
+  bool operator()(std::size_t span, double largest_shift, Span_samples& samples) const
+  {
+    constexpr std::size_t n = Span_samples::number_of_pieces;
+    const double begin = m_basis.span_begin(span), length = m_basis.span_end(span) - begin;
+    const double eta = length / double(n);
+    std::array<double, n + 1> arc_length, slope;
+    double shift = 0;
+    for(std::size_t i = 0; i <= n; ++i)
+    {
+      const double x = begin + length * (double(i) / double(n));
+      const Cubic_spline_basis::Values values = m_basis.values(span, x);
+      const double s = m_target.arc_length(x), speed = m_target.speed(x);
+      arc_length[i] = closest_arc_length(evaluate(values, m_polygon, 0), s + shift, m_target);
+      shift = arc_length[i] - s;
+      const Eigen::Vector3d tangent = m_target.curve_tangent(arc_length[i]);
+      slope[i] = evaluate(values, m_polygon, 1).dot(tangent);
+      if(!(std::abs(shift) <= largest_shift * speed)
+         || !(slope[i] >= slowest * speed && slowest * slope[i] <= speed))
+        return false;
+      samples.point[i] = m_target.curve_point(arc_length[i]);
+      samples.derivative[i] = slope[i] * tangent;
+    }
+    for(std::size_t i = 0; i < n; ++i)
+    {
+      // slopes up to three times the mean one make an increasing cubic polynomial
+      const double rise = arc_length[i + 1] - arc_length[i];
+      if(!((std::max)(slope[i], slope[i + 1]) * eta <= 3 * rise))
+        return false;
+      samples.middle[i] = m_target.curve_point(
+        (arc_length[i] + arc_length[i + 1]) / 2 + (slope[i] - slope[i + 1]) * eta / 8);
+    }
+    return true;
+  }
+
+private:
+  static constexpr double slowest = 0.5;
+
+  const Cubic_spline_basis& m_basis;
+  const Control_polygon& m_polygon;
+  CurveTarget& m_target;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_spline_conversion
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_FITTING_SPAN_SAMPLES_H

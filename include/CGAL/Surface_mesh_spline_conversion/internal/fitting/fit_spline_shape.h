@@ -1,0 +1,178 @@
+// Copyright (c) 2026 the authors of the package Surface_mesh_spline_conversion.
+// All rights reserved.
+//
+// This file is part of the package Surface_mesh_spline_conversion, which is being
+// prepared for submission to CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+#ifndef CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_FITTING_FIT_SPLINE_SHAPE_H
+#define CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_FITTING_FIT_SPLINE_SHAPE_H
+
+#include <CGAL/license/Surface_mesh_spline_conversion.h>
+
+#include <CGAL/Surface_mesh_spline_conversion/internal/fitting/Span_samples.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/fitting/fit_cubic_spline.h>
+
+#include <Eigen/Core>
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_spline_conversion {
+namespace internal {
+
+// Improves the fit of a cubic spline to a curve where only its shape counts, not where on the curve
+// the points of the spline are.
+//
+// The distances across the curve, at the closest points of the curve, are minimized in the
+// least-squares sense by Gauss-Newton steps; those along the curve count with a small weight. The
+// order of the error is then higher than four, and a coarse spline may be several times closer to
+// the curve than the fit at equal parameters. The ends of an open spline stay, as do the directions
+// of its end derivatives; their lengths are unknowns.
+template <typename CurveTarget>
+class Spline_shape_fitter
+{
+public:
+  Spline_shape_fitter(const Cubic_spline_basis& basis, CurveTarget& target,
+                      double tangential_weight)
+    : m_basis(basis), m_target(target), m_tangential_weight(tangential_weight),
+      m_is_periodic(basis.is_periodic())
+  {
+    make_samples();
+  }
+
+  // improves `polygon`, a fit at equal parameters; returns `false` if the linear system is singular
+  bool operator()(Control_polygon& polygon)
+  {
+    constexpr int number_of_steps = 6;
+    for(int i = 0; i < number_of_steps; ++i)
+    {
+      for(Sample& sample : m_samples)
+        sample.arc_length = closest_arc_length(evaluate(sample.values, polygon, 0),
+                                               sample.arc_length, m_target);
+      if(!step(polygon))
+        return false;
+    }
+    return true;
+  }
+
+private:
+  struct Sample
+  {
+    Cubic_spline_basis::Values values;
+    double weight, arc_length;
+  };
+
+  // an unknown, and what it adds to the point of a sample
+  typedef std::pair<int, Eigen::Vector3d> Term;
+
+  void make_samples()
+  {
+    for(std::size_t span = 0; span < m_basis.number_of_spans(); ++span)
+    {
+      const double begin = m_basis.span_begin(span), length = m_basis.span_end(span) - begin;
+      for(std::size_t k = 0; k < boole_weights.size(); ++k)
+      {
+        const double x = begin + length * (double(k) / 4);
+        m_samples.push_back({m_basis.values(span, x), boole_weights[k] * length,
+                             m_target.arc_length(x)});
+      }
+    }
+  }
+
+  // The unknowns are, in the order of the control points, the moves of the free ones, and in an
+  // open spline those of the second and of the second last one along the tangents.
+  std::vector<Term> terms(const Sample& sample, const Control_polygon& polygon) const
+  {
+    std::vector<Term> result;
+    const std::size_t n = polygon.size();
+    for(std::size_t i = 0; i < 4; ++i)
+    {
+      const std::size_t f = sample.values.functions[i];
+      const double value = sample.values.derivatives[0][i];
+      if(m_is_periodic || (f > 1 && f + 2 < n))
+        for(int d = 0; d < 3; ++d)
+          result.emplace_back(first_unknown(f) + d, value * Eigen::Vector3d::Unit(d));
+      else if(f == 1)
+        result.emplace_back(0, value * (polygon[1] - polygon[0]));
+      else if(f + 2 == n)
+        result.emplace_back(first_unknown(f), value * (polygon[n - 2] - polygon[n - 1]));
+    }
+    return result;
+  }
+
+  int first_unknown(std::size_t control_point) const
+  {
+    return 3 * static_cast<int>(control_point) - (m_is_periodic ? 0 : 5);
+  }
+
+  int number_of_unknowns() const
+  {
+    return 3 * static_cast<int>(m_basis.size()) - (m_is_periodic ? 0 : 10);
+  }
+
+  bool step(Control_polygon& polygon) const
+  {
+    const int n = number_of_unknowns();
+    std::vector<Eigen::Triplet<double> > entries;
+    Eigen::VectorXd right_hand_side = Eigen::VectorXd::Zero(n);
+    for(const Sample& sample : m_samples)
+    {
+      const Eigen::Vector3d tangent = m_target.curve_tangent(sample.arc_length);
+      const Eigen::Matrix3d weight
+        = sample.weight * (Eigen::Matrix3d::Identity()
+                           - (1 - m_tangential_weight) * tangent * tangent.transpose());
+      const Eigen::Vector3d residual
+        = weight * (m_target.curve_point(sample.arc_length) - evaluate(sample.values, polygon, 0));
+      const std::vector<Term> row = terms(sample, polygon);
+      for(const Term& a : row)
+      {
+        right_hand_side[a.first] += a.second.dot(residual);
+        const Eigen::Vector3d weighted = weight * a.second;
+        for(const Term& b : row)
+          if(b.first <= a.first)
+            entries.emplace_back(a.first, b.first, weighted.dot(b.second));
+      }
+    }
+    Eigen::SparseMatrix<double> matrix(n, n);
+    matrix.setFromTriplets(entries.begin(), entries.end());
+    // the matrix is a band, but for the corners of a periodic one
+    Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower,
+                          Eigen::NaturalOrdering<int> > solver(matrix);
+    if(solver.info() != Eigen::Success)
+      return false;
+    const Eigen::VectorXd moves = solver.solve(right_hand_side);
+    if(!moves.allFinite())
+      return false;
+    move(moves, polygon);
+    return true;
+  }
+
+  void move(const Eigen::VectorXd& moves, Control_polygon& polygon) const
+  {
+    const std::size_t n = polygon.size(), fixed = m_is_periodic ? 0 : 2;
+    for(std::size_t i = fixed; i < n - fixed; ++i)
+      polygon[i] += moves.segment<3>(first_unknown(i));
+    if(m_is_periodic)
+      return;
+    polygon[1] += moves[0] * (polygon[1] - polygon[0]);
+    polygon[n - 2] += moves[first_unknown(n - 2)] * (polygon[n - 2] - polygon[n - 1]);
+  }
+
+  const Cubic_spline_basis& m_basis;
+  CurveTarget& m_target;
+  double m_tangential_weight;
+  bool m_is_periodic;
+  std::vector<Sample> m_samples;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_spline_conversion
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_FITTING_FIT_SPLINE_SHAPE_H
