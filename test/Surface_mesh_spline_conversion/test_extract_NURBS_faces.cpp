@@ -1,6 +1,7 @@
 // Shells of T-NURCC surfaces: extraordinary points of all valences at all distances from the boundary,
 // corners of both kinds, further vertices on the boundary, files.
 #include "block_layouts.h"
+#include "separatrix_rectangles.h"
 #include "shell_checks.h"
 
 #include <CGAL/Simple_cartesian.h>
@@ -85,6 +86,22 @@ void straighten_corners(const Quad_layout& layout, CGAL::T_NURCC_surface_3<K>& s
     }
 }
 
+std::size_t number_of_separatrix_rectangles(const Quad_layout& layout)
+{
+  Separatrix_rectangles::Neighbors neighbors(layout.number_of_quads());
+  std::vector<std::pair<std::size_t, int> > corners;
+  for(std::size_t q = 0; q < layout.number_of_quads(); ++q)
+    for(int i = 0; i < 4; ++i)
+    {
+      neighbors[q][i] = layout.is_border(q, i) ? std::make_pair(std::size_t(-1), 0)
+                                               : std::pair<std::size_t, int>(layout.neighbor(q, i));
+      if(layout.is_corner(layout.vertex(q, i)) && !layout.is_border(q, i)
+         && layout.is_border(q, (i + 3) & 3))
+        corners.emplace_back(q, i);
+    }
+  return Separatrix_rectangles(neighbors, std::size_t(-1), corners).number_of_rectangles();
+}
+
 // a negative number of border edges stands for any
 void test(const std::string& name, const Quad_layout& layout, long euler_characteristic,
           long number_of_border_edges, std::size_t number_of_creases = 0,
@@ -116,6 +133,11 @@ void test(const std::string& name, const Quad_layout& layout, long euler_charact
     assert(!merge || number_of_border_edges < 0
            || checks.number_of_border_edges == number_of_border_edges);
     assert(!merge || shell.number_of_faces() < faces);
+    std::size_t sectors = 2 * number_of_creases; // those of creases and caps
+    for(std::size_t f = 0; f < shell.number_of_faces(); ++f)
+      sectors += shell.face(f).is_extraordinary;
+    assert(!merge
+           || shell.number_of_faces() - sectors <= 4 * number_of_separatrix_rectangles(layout));
     faces = shell.number_of_faces();
     check_vertices(surface, shell);
   }
@@ -185,7 +207,7 @@ int main()
   test("cup 2", block_layout<K>(cube_blocks(true), 2, on_sphere), 1, 2);
   auto is_corner = [](const Point_3& p)
   { return p.z() > 0 && std::abs(std::abs(p.x()) - std::abs(p.y())) < 1e-9; };
-  for(int m : {1, 2, 3, 4}) // extraordinary points at this distance from each other and the corners
+  for(int m : {1, 2, 3, 4}) // distance of extraordinary points from each other and from corners
     test("cup with corners " + std::to_string(m),
          block_layout<K>(cube_blocks(true), m, on_sphere, is_corner), 1, -1, 4);
   for(int n : {3, 5, 6, 7, 8})

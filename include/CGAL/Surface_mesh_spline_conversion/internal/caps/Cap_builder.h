@@ -94,7 +94,7 @@ public:
       for(std::size_t i : open)
       {
         compute(m_caps[i]);
-        if(is_good(m_caps[i]) || m_caps[i].level == m_settings.maximum_level)
+        if(is_good(m_caps[i]) || is_smallest(m_caps[i]))
           continue;
         ++m_caps[i].level;
         again.push_back(i);
@@ -102,15 +102,6 @@ public:
       open.swap(again);
     }
     return m_caps;
-  }
-
-  /// do caps and creases overlap?
-  bool covers_crease() const
-  {
-    for(std::size_t c = 0; c < m_is_covered.size(); ++c)
-      if(m_is_covered[c] > 0 && m_complex.cells()[c].crease != NO_INDEX)
-        return true;
-    return false;
   }
 
   /// the cells that remain, and those of the caps
@@ -318,12 +309,27 @@ private:
     Eigen::MatrixXd points = smooth(data);
     cap.residual = smooth.residual(points, data);
     // at the line of discontinuity of a corner the neighbours do not fit together
-    if(cap.residual > m_settings.equality && cap.level == m_settings.maximum_level)
+    if(cap.residual > m_settings.equality && is_smallest(cap))
       points = cap_operator(n, false)(data);
     for(int k = 0; k < n; ++k)
       for(int i = 0; i < Cap_operator::POINTS; ++i)
         cap.sectors[k].points[i] = points.row(Cap_operator::POINTS * k + i).transpose();
     measure(cap, data);
+  }
+
+  // may the cap not be halved any more? The size of one at the end of a crease is given.
+  bool is_smallest(const Cap& cap) const
+  {
+    if(cap.level == m_settings.maximum_level)
+      return true;
+    for(const Cap_sector& sector : cap.sectors)
+      for(int side = 0; side < 2; ++side)
+      {
+        const Neighbor n = neighbor(sector, side);
+        if(n.is_single && m_complex.cells()[m_complex.across(n.use).cell].is_end_of_crease)
+          return true;
+      }
+    return false;
   }
 
   bool is_good(const Cap& cap) const

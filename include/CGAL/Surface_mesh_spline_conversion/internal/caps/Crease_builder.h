@@ -38,6 +38,7 @@ struct Crease
   std::array<std::int64_t, 2> width;                     ///< of the left and the right face
   std::array<std::vector<Eigen::Vector3d>, 2> points;    ///< Bezier points of the faces, see below
   double deviation = 0;                                  ///< from the surface, normal to it
+  bool ends_at_cap = false;                              ///< of the same width
 };
 
 /// Makes the surface tangent continuous across crease lines: the cross derivatives of both sides are
@@ -54,11 +55,22 @@ public:
   static constexpr int COLUMNS = DEGREE_ACROSS + 1;
   static constexpr int ROWS = DEGREE_ALONG + 1;
 
-  /// \param tolerance the deviation that is allowed; faces are made narrower to keep it
-  Crease_builder(const Cell_complex& complex, double tolerance, double equality)
-    : m_complex(complex), m_tolerance(tolerance)
+  struct Settings
   {
-    m_lines = Crease_finder(complex, equality)();
+    double tolerance;     ///< the deviation that is allowed; faces are made narrower to keep it
+    double equality;      ///< lengths below are rounding
+    int levels;           ///< of subdivision at extraordinary points
+    bool may_end_at_caps; ///< are lines to extraordinary points taken into account?
+  };
+
+  Crease_builder(const Cell_complex& complex, const Settings& settings)
+    : m_complex(complex), m_tolerance(settings.tolerance)
+  {
+    m_lines = Crease_finder(complex, settings.levels, settings.equality)();
+    if(!settings.may_end_at_caps)
+      m_lines.erase(std::remove_if(m_lines.begin(), m_lines.end(),
+                                   [](const Crease_line& line) { return line.ends_at_cap; }),
+                    m_lines.end());
     m_number_of_uses.assign(complex.cells().size(), 0);
     for(const Crease_line& line : m_lines)
       for(const auto& cells : line.cells)
@@ -91,6 +103,9 @@ public:
       for(std::size_t side = 0; side < 2; ++side)
         for(const Placed_cell& placed : m_lines[i].cells[side])
           cut(placed, i, side, creases[i], work, parts[placed.cell]);
+    for(Cell& cell : work)
+      if(cell.crease != NO_INDEX && creases[cell.crease].ends_at_cap)
+        set_end(creases[cell.crease], cell);
     return work;
   }
 
@@ -115,13 +130,16 @@ private:
   bool build(const Crease_line& line, Crease& crease) const
   {
     crease.breaks = line.breaks;
+    crease.ends_at_cap = line.ends_at_cap;
     for(std::size_t side = 0; side < 2; ++side)
       crease.width[side] = width(line.cells[side]);
+    if(line.ends_at_cap && !fit_to_cap(line, crease))
+      return false;
     const Crease_ribbons ribbons(pieces(line, crease, 0), pieces(line, crease, 1),
                                  lengths(crease), {{size(crease.width[0]), size(crease.width[1])}});
     if(!ribbons.is_regular())
       return false;
-    for(int i = 0; i < MAXIMUM_NUMBER_OF_HALVINGS; ++i)
+    for(int i = 0; i < MAXIMUM_NUMBER_OF_HALVINGS && !crease.ends_at_cap; ++i)
       for(std::size_t side = 0; side < 2; ++side)
         if(ribbons.deviation(side, size(crease.width[side])) > m_tolerance)
           crease.width[side] /= 2;
@@ -132,6 +150,39 @@ private:
       set_points(pieces(line, crease, side), ribbons, side, w, crease.points[side]);
     }
     return true;
+  }
+
+  // the cap is as wide as the last cells, whatever they share
+  bool fit_to_cap(const Crease_line& line, Crease& crease) const
+  {
+    const std::int64_t size = (std::min)(image(line.cells[0].back()).extent(0),
+                                         image(line.cells[1].back()).extent(0));
+    const bool has_room = crease.width[0] >= size && crease.width[1] >= size;
+    crease.width = {{size, size}};
+    return has_room;
+  }
+
+  // Gives the last cells the position and derivative of the new face at its end: the cap there takes
+  // them from the cells.
+  static void set_end(const Crease& crease, Cell& cell)
+  {
+    const Tick_rectangle r = cell.frame(cell.rectangle);
+    if(r.high[1] != crease.breaks.back())
+      return;
+    Bicubic grid = rotated(cell.points, cell.frame.turns);
+    const std::size_t last = crease.breaks.size() - 2;
+    const double share = double(r.extent(1))
+                       / double(crease.breaks[last + 1] - crease.breaks[last]);
+    const std::vector<Eigen::Vector3d>& points = crease.points[cell.sector];
+    for(int a = 0; a < COLUMNS; ++a)
+    {
+      const Eigen::Vector3d& end = points[COLUMNS * (ROWS * last + ROWS - 1) + a];
+      const Eigen::Vector3d& before = points[COLUMNS * (ROWS * last + ROWS - 2) + a];
+      grid[12 + a] = end;
+      grid[8 + a] = end - share * DEGREE_ALONG / 3 * (end - before);
+    }
+    cell.points = rotated(grid, 4 - cell.frame.turns);
+    cell.is_end_of_crease = true;
   }
 
   // in units of layout quads

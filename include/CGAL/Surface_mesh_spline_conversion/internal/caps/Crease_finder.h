@@ -35,19 +35,25 @@ struct Crease_line
 {
   std::array<std::vector<Placed_cell>, 2> cells;
   std::vector<std::int64_t> breaks; ///< y of the ends of all cells along the line
+  bool ends_at_cap = false;         ///< does it run into an extraordinary point, and is cut before?
 };
 
 /// Finds the lines above corners of the boundary between two quads (paper, Fig. 6(b)).
 class Crease_finder
 {
 public:
-  /// derivatives agree if they do so to `equality`, over the smaller of both widths
-  Crease_finder(const Cell_complex& complex, double equality)
-    : m_complex(complex), m_equality(equality)
+  /// Caps at the end of creases are patches halved so many times: small enough for extraordinary
+  /// points that share an edge.
+  static constexpr int LEVEL_OF_CAPS = 2;
+
+  /// \param levels how often the patches at extraordinary points are subdivided
+  /// \param equality derivatives agree if they do so to it, over the smaller of both widths
+  Crease_finder(const Cell_complex& complex, int levels, double equality)
+    : m_complex(complex), m_levels(levels), m_equality(equality)
   {}
 
-  /// returns the lines that end inside, where the jump fades out. A line that runs into an
-  /// extraordinary point or to the boundary is left out.
+  /// returns the lines that end inside, where the jump fades out, or at an extraordinary point,
+  /// before the cap there. A line that runs to the boundary is left out.
   std::vector<Crease_line> operator()()
   {
     collect_incidences();
@@ -119,18 +125,38 @@ private:
       const std::size_t v = m_complex.segments()[next].vertex[1 - end];
       if(m_is_boundary[v])
         return false;
-      std::size_t following = NO_INDEX;
+      std::vector<std::size_t> others;
       for(std::size_t t : m_segments_of_vertex[v])
         if(t != next && is_crease(t))
-        {
-          if(following != NO_INDEX)
-            return false;
-          following = t;
-        }
+          others.push_back(t);
+      if(others.size() > 1)
+        return cut_before_cap(line);
+      const std::size_t following = others.empty() ? NO_INDEX : others.front();
       if(following != NO_INDEX)
         end = (m_complex.segments()[following].vertex[0] == v) ? 0 : 1;
       next = following;
     }
+    return true;
+  }
+
+  // Shortens a line to an extraordinary point by the size of the cap; the last cell has the size of
+  // the patch after all subdivisions.
+  bool cut_before_cap(Crease_line& line) const
+  {
+    const std::size_t n = line.breaks.size();
+    const std::int64_t smallest = line.breaks[n - 1] - line.breaks[n - 2];
+    if(m_levels < LEVEL_OF_CAPS)
+      return false;
+    const std::int64_t end
+      = line.breaks.back() - (smallest << (m_levels - LEVEL_OF_CAPS));
+    while(!line.breaks.empty() && line.breaks.back() > end)
+      line.breaks.pop_back();
+    if(line.breaks.size() < 2 || line.breaks.back() != end)
+      return false;
+    for(auto& cells : line.cells)
+      while(Cell_merger::image(m_complex, cells.back()).low[1] >= end)
+        cells.pop_back();
+    line.ends_at_cap = true;
     return true;
   }
 
@@ -174,6 +200,7 @@ private:
   }
 
   const Cell_complex& m_complex;
+  int m_levels;
   double m_equality;
   std::vector<char> m_is_boundary;
   std::vector<std::vector<std::size_t> > m_segments_of_vertex;

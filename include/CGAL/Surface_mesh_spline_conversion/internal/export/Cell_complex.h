@@ -96,6 +96,7 @@ struct Cell
   std::size_t sector = 0;     ///< of the cap or crease
   std::size_t crease = NO_INDEX; ///< index of the crease the cell lies beside, if any
   Tick_frame frame;           ///< takes coordinates of the quad to those of the crease
+  bool is_end_of_crease = false; ///< must a cap follow?
 };
 
 /// how the layout quads hang together, by side: (quad, side), the quad `NO_INDEX` at the boundary

@@ -111,6 +111,64 @@ inline Cell_complex make_cell_complex(std::vector<Cell> cells, const Quad_neighb
   }
 }
 
+/// the crease lines that get faces of their own
+enum class Crease_lines
+{
+  ALL,
+  WITHOUT_CAPS, ///< those that do not run into extraordinary points
+  NONE
+};
+
+// do all cells of the creases remain, and does a cap follow where one must?
+inline bool fit_together(const Cell_complex& before, const Cell_complex& after)
+{
+  auto count = [](const Cell_complex& complex)
+  {
+    std::size_t n = 0;
+    for(const Cell& cell : complex.cells())
+      n += cell.crease != NO_INDEX ? 1 : 0;
+    return n;
+  };
+  if(count(before) != count(after))
+    return false;
+  for(std::size_t c = 0; c < after.cells().size(); ++c)
+  {
+    const Cell& cell = after.cells()[c];
+    if(!cell.is_end_of_crease)
+      continue;
+    const auto& uses = after.uses(c, Cell_merger::cell_side({c, cell.frame}, 2));
+    if(uses.size() != 1 || after.across(uses.front()).cell == NO_INDEX
+       || after.cells()[after.across(uses.front()).cell].cap == NO_INDEX
+       || after.across(uses.front()).last - after.across(uses.front()).first != 1)
+      return false;
+  }
+  return true;
+}
+
+/// finds creases and caps, and the cells that remain; returns `false` if they do not fit together
+template <typename Position>
+bool cut_out_creases_and_caps(const Cell_complex& all, const Quad_neighbors& neighbors,
+                              const Position& position, const Extraction_settings& settings,
+                              double equality, Crease_lines lines, std::vector<Crease>& creases,
+                              std::vector<Cap>& caps, std::vector<Cell>& cells)
+{
+  creases.clear();
+  std::vector<Cell> cut = all.cells();
+  if(lines != Crease_lines::NONE)
+  {
+    Crease_builder builder(all, {settings.cap_tolerance, equality, settings.levels,
+                                 lines == Crease_lines::ALL});
+    creases = builder();
+    cut = builder.cells(creases);
+  }
+  const Cell_complex complex(std::move(cut), neighbors);
+  Cap_builder<Position> builder(complex, position,
+                                {settings.cap_tolerance, equality, settings.levels});
+  caps = builder();
+  cells = builder.cells(caps);
+  return creases.empty() || fit_together(complex, Cell_complex(cells, neighbors));
+}
+
 /// The whole extraction for any set of cells: caps, rectangles, topology.
 /// \param position returns the point of a patch at coordinates of its quad, in [0,1]
 template <typename K, typename Position>
@@ -119,16 +177,15 @@ Extraction_result extract_shell(std::vector<Cell> cells, const Quad_neighbors& n
                                 NURBS_shell_3<K>& shell)
 {
   const double equality = RELATIVE_EQUALITY * largest_coordinate(cells);
-  Cell_complex all = make_cell_complex(std::move(cells), neighbors);
-  Crease_builder crease_builder(all, settings.cap_tolerance, equality);
-  const std::vector<Crease> creases = crease_builder();
-  if(!creases.empty())
-    all = Cell_complex(crease_builder.cells(creases), neighbors);
-
-  Cap_builder<Position> builder(all, position,
-                                {settings.cap_tolerance, equality, settings.levels});
-  const std::vector<Cap> caps = builder();
-  const Cell_complex complex = make_cell_complex(builder.cells(caps), neighbors);
+  const Cell_complex all = make_cell_complex(std::move(cells), neighbors);
+  std::vector<Crease> creases;
+  std::vector<Cap> caps;
+  std::vector<Cell> parts;
+  for(Crease_lines lines : {Crease_lines::ALL, Crease_lines::WITHOUT_CAPS, Crease_lines::NONE})
+    if(cut_out_creases_and_caps(all, neighbors, position, settings, equality, lines, creases, caps,
+                                parts))
+      break;
+  const Cell_complex complex = make_cell_complex(std::move(parts), neighbors);
 
   Cell_merger merger(complex, equality);
   std::vector<Cell_rectangle> faces = merger(settings.across_patches);
