@@ -12,6 +12,7 @@
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
 #include <CGAL/Surface_mesh_spline_conversion/internal/layout/Layout_inverse_map.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/layout/Mapped_quads.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/proxy/Proxy_projection.h>
 
 #include <Eigen/Core>
