@@ -66,9 +66,10 @@ public:
       for(int i = 0; i < 4; ++i)
         if(neighbors[q][i].first == NO_INDEX)
           for(int k = 0; k <= intervals_per_side; ++k)
-            m_samples.push_back({{q, i, FT(double(k) / intervals_per_side)}, Vector()});
-    for(Sample& s : m_samples)
-      s.point = point(s.place);
+          {
+            const Vertex place{q, i, FT(double(k) / intervals_per_side)};
+            m_samples.push_back({place, point(place)});
+          }
   }
 
   bool is_empty() const { return m_samples.empty(); }

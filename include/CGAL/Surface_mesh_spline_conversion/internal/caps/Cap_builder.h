@@ -124,6 +124,7 @@ public:
         Cell cell;
         cell.quad = sector.quad;
         cell.rectangle = sector.rectangle;
+        cell.points.fill(Eigen::Vector3d::Zero()); // those of the cap take their place
         cell.patch = sector.patch;
         cell.cap = i;
         cell.sector = k;
