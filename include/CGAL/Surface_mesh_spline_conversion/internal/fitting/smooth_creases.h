@@ -42,6 +42,10 @@ namespace internal {
 // the control points for given n: the few inner control points that act on J are moved such that
 // it holds, in the sense of least squares with a large weight, with the least increase of the
 // error of the fit. As n changes, this is repeated.
+//
+// Where only the outermost row has a triple knot, no inner control point acts on J. Then those are
+// moved that act on the derivative along the line, such that it lies in the plane of the
+// derivatives on both sides.
 template <typename Surface, typename Target, typename System>
 class Crease_smoother
 {
@@ -108,12 +112,19 @@ private:
   void smooth(size_type first, int i, size_type second, int j)
   {
     const std::vector<Sample> samples = make_samples(first, i, second, j);
-    std::vector<Functional> jumps;
+    std::vector<Functional> functionals;
     for(const Sample& s : samples)
-      jumps.push_back(jump(s));
-    const std::vector<size_type> unknowns = free_control_points(jumps);
+      functionals.push_back(jump(s));
+    std::vector<size_type> unknowns = free_control_points(functionals);
+    m_is_jump_free = !unknowns.empty();
+    if(!m_is_jump_free)
+    {
+      for(size_type k = 0; k < samples.size(); ++k)
+        functionals[k] = derivative_along(samples[k]);
+      unknowns = free_control_points(functionals);
+    }
     if(!unknowns.empty())
-      make_normals_agree(first, samples, jumps, unknowns);
+      make_normals_agree(first, samples, functionals, unknowns);
     if(normal_misfit(samples) > largest_sine)
       for(const Sample& s : samples)
         for(const Place& p : s.places)
@@ -121,7 +132,7 @@ private:
   }
 
   void make_normals_agree(size_type first, const std::vector<Sample>& samples,
-                          const std::vector<Functional>& jumps,
+                          const std::vector<Functional>& functionals,
                           const std::vector<size_type>& unknowns)
   {
     const Positions start = positions(unknowns);
@@ -130,7 +141,7 @@ private:
     {
       const Positions last = positions(unknowns);
       const double misfit = normal_misfit(samples);
-      move(samples, jumps, unknowns);
+      move(samples, functionals, unknowns);
       if(normal_misfit(samples) < misfit && distance(positions(unknowns), start) <= limit)
         continue;
       set_positions(unknowns, last);
@@ -246,11 +257,26 @@ private:
     return result;
   }
 
-  std::vector<size_type> free_control_points(const std::vector<Functional>& jumps) const
+  Functional derivative_along(const Sample& s) const
+  {
+    Functional result;
+    const Place& p = s.places[0];
+    std::vector<typename Surface::Basis_function> functions;
+    m_surface.basis(m_surface.patch_at(p.quad, p.u, p.v), p.u, p.v, 1, functions);
+    for(const auto& f : functions)
+    {
+      const double value = s.along[0][0] * f.value[1] + s.along[0][1] * f.value[2];
+      if(value != 0)
+        result[f.control_point] += value;
+    }
+    return result;
+  }
+
+  std::vector<size_type> free_control_points(const std::vector<Functional>& functionals) const
   {
     std::vector<size_type> result;
-    for(const Functional& jump : jumps)
-      for(const auto& term : jump)
+    for(const Functional& functional : functionals)
+      for(const auto& term : functional)
         if(m_system.unknown(term.first) != System::fixed)
           result.push_back(term.first);
     std::sort(result.begin(), result.end());
@@ -268,7 +294,7 @@ private:
   }
 
   // one step of the constrained least-squares problem in the coordinates of the unknowns
-  void move(const std::vector<Sample>& samples, const std::vector<Functional>& jumps,
+  void move(const std::vector<Sample>& samples, const std::vector<Functional>& functionals,
             const std::vector<size_type>& unknowns)
   {
     const Eigen::Index n = static_cast<Eigen::Index>(unknowns.size());
@@ -283,22 +309,19 @@ private:
         matrix.block<3, 3>(3 * a, 3 * b) = c * Eigen::Matrix3d::Identity();
         largest = (std::max)(largest, c);
       }
+    const double weight = constraint_weight * largest / scale(functionals);
     for(size_type k = 0; k < samples.size(); ++k)
     {
-      const Eigen::Vector3d before = derivative(samples[k], 0, samples[k].across);
-      const Eigen::Vector3d after = derivative(samples[k], 1, samples[k].across);
-      const Eigen::Vector3d normal
-        = (before + after).cross(derivative(samples[k], 0, samples[k].along)).normalized();
+      const Eigen::Vector3d direction = constraint_direction(samples[k]);
       Eigen::VectorXd row = Eigen::VectorXd::Zero(3 * n);
       for(Eigen::Index a = 0; a < n; ++a)
       {
-        const auto it = jumps[k].find(unknowns[size_type(a)]);
-        if(it != jumps[k].end())
-          row.segment<3>(3 * a) = it->second * normal;
+        const auto it = functionals[k].find(unknowns[size_type(a)]);
+        if(it != functionals[k].end())
+          row.segment<3>(3 * a) = it->second * direction;
       }
-      const double weight = constraint_weight * largest / scale(jumps);
       matrix += weight * row * row.transpose();
-      right_hand_side -= weight * normal.dot(after - before) * row;
+      right_hand_side -= weight * normal_jump(samples[k]) * row;
     }
     const Eigen::VectorXd step = matrix.ldlt().solve(right_hand_side);
     if(!step.allFinite())
@@ -309,12 +332,34 @@ private:
     set_positions(unknowns, moved);
   }
 
+  Eigen::Vector3d mean_normal(const Sample& s) const
+  {
+    return (derivative(s, 0, s.across) + derivative(s, 1, s.across))
+      .cross(derivative(s, 0, s.along)).normalized();
+  }
+
+  // n . J
+  double normal_jump(const Sample& s) const
+  {
+    return mean_normal(s).dot(derivative(s, 1, s.across) - derivative(s, 0, s.across));
+  }
+
+  // the vector whose product with the jump, or with the derivative along the line, is n . J
+  Eigen::Vector3d constraint_direction(const Sample& s) const
+  {
+    if(m_is_jump_free)
+      return mean_normal(s);
+    const Eigen::Vector3d before = derivative(s, 0, s.across), after = derivative(s, 1, s.across);
+    const Eigen::Vector3d sum = before + after;
+    return (after - before).cross(sum) / sum.cross(derivative(s, 0, s.along)).norm();
+  }
+
   // the largest square of a coefficient
-  static double scale(const std::vector<Functional>& jumps)
+  static double scale(const std::vector<Functional>& functionals)
   {
     double result = 0;
-    for(const Functional& jump : jumps)
-      for(const auto& term : jump)
+    for(const Functional& functional : functionals)
+      for(const auto& term : functional)
         result = (std::max)(result, term.second * term.second);
     return result;
   }
@@ -323,6 +368,7 @@ private:
   const Target& m_target;
   const System& m_system;
   std::vector<size_type> m_rough_patches;
+  bool m_is_jump_free = true; // do inner control points act on the jump at the present corner?
 };
 
 } // namespace internal
