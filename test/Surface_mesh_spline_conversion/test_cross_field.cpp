@@ -211,16 +211,90 @@ void test_case()
   check_field(same, chi);
 }
 
+typedef CGAL::Simple_cartesian<double> Kernel;
+typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
+
+Mesh make_mesh(const Working_mesh& input)
+{
+  Mesh tm;
+  for(const Eigen::Vector3d& p : input.points)
+    tm.add_vertex(Kernel::Point_3(p[0], p[1], p[2]));
+  for(const auto& t : input.triangles)
+    tm.add_face(Mesh::Vertex_index(t[0]), Mesh::Vertex_index(t[1]), Mesh::Vertex_index(t[2]));
+  return tm;
+}
+
+// the direction on a torus about the z axis that winds at 30 degrees to the circles of latitude
+Eigen::Vector3d winding(const Eigen::Vector3d& p)
+{
+  const Eigen::Vector3d latitude = Eigen::Vector3d(-p[1], p[0], 0).normalized();
+  const Eigen::Vector3d radius(p[0], p[1], 0);
+  const Eigen::Vector3d meridian = latitude.cross(p - 3 * radius.normalized()).normalized();
+  return std::cos(Test::pi / 6) * latitude + std::sin(Test::pi / 6) * meridian;
+}
+
+// A field that winds about a torus is wanted, against its curvature: it arrives on the mesh and on
+// a proxy, without singularities.
+void test_wanted_directions()
+{
+  Mesh tm = make_mesh(Test::make_grid(120, 60, true, true, [](double u, double v)
+    { const double a = Test::pi * u / 60, b = Test::pi * v / 30, r = 3 + std::cos(b);
+      return Eigen::Vector3d(r * std::cos(a), r * std::sin(a), std::sin(b)); }, Test::no_hole));
+  const SC::Boundary_curve_network_3<Mesh> network(tm);
+  auto wanted = tm.add_property_map<Mesh::Face_index, Kernel::Vector_3>("f:wanted").first;
+  const auto compute = [&](bool use_proxy, Cross_field& field)
+  {
+    return SC::compute_cross_field(tm, network, field, CGAL::parameters::quad_size_map(0.5)
+                                     .cross_field_map(wanted).use_proxy_mesh(use_proxy));
+  };
+  const auto set_all = [&](auto direction)
+  {
+    for(const auto f : faces(tm))
+    {
+      Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
+      for(const auto v : vertices_around_face(halfedge(f, tm), tm))
+        centroid += SC::internal::to_eigen(tm.point(v)) / 3;
+      const Eigen::Vector3d d = direction(centroid);
+      wanted[f] = Kernel::Vector_3(d[0], d[1], d[2]);
+    }
+  };
+  const auto largest_angle = [](const Cross_field& field)
+  {
+    double largest = 0; // as the sine of its double
+    for(int f = 0; f < field.mesh.number_of_faces(); ++f)
+    {
+      const auto& t = field.mesh.triangles[f];
+      const Eigen::Vector3d d = winding((field.mesh.points[t[0]] + field.mesh.points[t[1]]
+                                         + field.mesh.points[t[2]]) / 3);
+      const double cosine = std::abs(d.dot(direction(field, f, 0)));
+      largest = (std::max)(largest, std::abs(std::sin(2 * std::acos((std::min)(cosine, 1.)))));
+    }
+    return largest;
+  };
+  set_all(winding);
+  for(const bool use_proxy : {false, true})
+  {
+    Cross_field field;
+    assert(compute(use_proxy, field) == Error_code::OK);
+    assert((field.proxy != nullptr) == use_proxy);
+    assert(std::count(field.quarter_turns.begin(), field.quarter_turns.end(), 4)
+           == field.mesh.number_of_vertices());
+    assert(largest_angle(field) < 0.15);
+  }
+  Cross_field without_wish, free;
+  set_all([](const Eigen::Vector3d&) { return Eigen::Vector3d(0, 0, 0); });
+  assert(compute(false, without_wish) == Error_code::OK);
+  assert(largest_angle(without_wish) > 0.8);
+  assert(SC::compute_cross_field(tm, network, free, CGAL::parameters::quad_size_map(0.5)
+                                   .use_proxy_mesh(false)) == Error_code::OK);
+  assert(free.angle == without_wish.angle);
+  wanted[Mesh::Face_index(7)] = Kernel::Vector_3(0, std::nan(""), 1);
+  assert(compute(false, free) == Error_code::INVALID_PARAMETER);
+}
+
 void test_sizes_and_errors()
 {
-  typedef CGAL::Simple_cartesian<double>::Point_3 Point_3;
-  typedef CGAL::Surface_mesh<Point_3> Mesh;
-  Mesh tm;
-  const Working_mesh sphere = Test::make_sphere(3);
-  for(const Eigen::Vector3d& p : sphere.points)
-    tm.add_vertex(Point_3(p[0], p[1], p[2]));
-  for(const auto& t : sphere.triangles)
-    tm.add_face(Mesh::Vertex_index(t[0]), Mesh::Vertex_index(t[1]), Mesh::Vertex_index(t[2]));
+  Mesh tm = make_mesh(Test::make_sphere(3));
   const SC::Boundary_curve_network_3<Mesh> network(tm);
   namespace params = CGAL::parameters;
   Cross_field field;
@@ -249,6 +323,7 @@ int main()
   test_curvature_alignment();
   test_case<CGAL::Simple_cartesian<double> >();
   test_case<CGAL::Exact_predicates_inexact_constructions_kernel>();
+  test_wanted_directions();
   test_sizes_and_errors();
   return 0;
 }

@@ -57,6 +57,8 @@ struct Cross_field
   std::vector<int> period_jump;       ///< per halfedge: matching of the directions
   std::vector<int> quarter_turns;     ///< per vertex: number of right angles
   std::vector<double> size;           ///< per vertex: wanted edge length of the quads
+  std::vector<Eigen::Vector3d> wanted_direction; ///< per face that `mesh` counts as a parent: one
+                                      ///< the field should follow, zero for none; may be empty
   double spacing = 1;                 ///< distances between singularities, and from them to the
                                       ///< boundary, are those for quads of `size` times this factor
 };

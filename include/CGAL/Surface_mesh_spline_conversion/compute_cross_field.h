@@ -17,7 +17,9 @@
 #include <CGAL/Surface_mesh_spline_conversion/internal/map/limit_gradation.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/map/make_working_mesh.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/named_parameters.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/proxy/Proxy_projection.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/proxy/make_proxy_mesh.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/to_eigen.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/number_utils.h>
@@ -87,6 +89,21 @@ inline bool is_proxy_wanted(const Proxy_builder& builder, internal_np::Param_not
   return builder.is_proxy_wanted();
 }
 
+inline std::vector<Eigen::Vector3d> directions_on_proxy(const Cross_field& field,
+                                                        const Proxy_mesh& proxy)
+{
+  std::vector<Eigen::Vector3d> wanted;
+  if(field.wanted_direction.empty())
+    return wanted;
+  const Proxy_projection projection(proxy);
+  for(int f = 0; f < proxy.mesh.number_of_faces(); ++f)
+  {
+    const Working_location centroid{f, {{1. / 3, 1. / 3, 1. / 3}}};
+    wanted.push_back(field.wanted_direction[proxy.original->parent[projection(centroid).face]]);
+  }
+  return wanted;
+}
+
 // Replaces the mesh of `field` by a proxy and computes the field there. Returns `false`, with
 // `field` as before, if no proxy is wanted or none is good enough. `choice`: the named parameter.
 template <typename Choice>
@@ -102,6 +119,7 @@ bool build_cross_field_on_proxy(Cross_field& field, const std::vector<char>& is_
   on_proxy.spacing = field.spacing;
   on_proxy.mesh = proxy->mesh;
   on_proxy.size = proxy->size;
+  on_proxy.wanted_direction = directions_on_proxy(field, *proxy);
   on_proxy.proxy = proxy;
   if(build_cross_field(on_proxy) != Error_code::OK)
     return false;
@@ -132,6 +150,32 @@ bool compute_quad_sizes(const Working_mesh& mesh, const std::vector<VertexDescri
   return true;
 }
 
+template <typename TriangleMesh>
+bool read_wanted_directions(const TriangleMesh&, internal_np::Param_not_found,
+                            std::vector<Eigen::Vector3d>&)
+{
+  return true;
+}
+
+// The directions that the user wants at the faces of `tm`, none at all if all of them are zero.
+// Returns `false` if one is not a vector of finite numbers.
+template <typename TriangleMesh, typename CrossFieldMap>
+bool read_wanted_directions(const TriangleMesh& tm, const CrossFieldMap& map,
+                            std::vector<Eigen::Vector3d>& wanted)
+{
+  bool is_any_nonzero = false;
+  for(const auto f : faces(tm))
+  {
+    wanted.push_back(to_eigen(get(map, f)));
+    if(!wanted.back().allFinite())
+      return false;
+    is_any_nonzero = is_any_nonzero || !wanted.back().isZero(0);
+  }
+  if(!is_any_nonzero)
+    wanted.clear();
+  return true;
+}
+
 // See below; for the spacing, `Cross_field`.
 template <typename TriangleMesh, typename BoundaryCurveNetwork, typename NamedParameters>
 Error_code compute_cross_field(const TriangleMesh& tm, const BoundaryCurveNetwork& network,
@@ -154,6 +198,9 @@ Error_code compute_cross_field(const TriangleMesh& tm, const BoundaryCurveNetwor
   if(!compute_quad_sizes(field.mesh, vertex, get_parameter(np, internal_np::quad_size_map),
                          CGAL::to_double(network.diameter()), field.size))
     return Error_code::INVALID_PARAMETER;
+  if(!read_wanted_directions(tm, get_parameter(np, internal_np::cross_field_map),
+                             field.wanted_direction))
+    return Error_code::INVALID_PARAMETER;
   if(build_cross_field_on_proxy(field, find_curve_joints(field.mesh, network),
                                 get_parameter(np, internal_np::use_proxy_mesh)))
     return Error_code::OK;
@@ -169,7 +216,7 @@ computes a smooth cross field on a triangle mesh whose singularities and boundar
 quads of a given size.
 
 In the boundary faces the field is aligned with the boundary, elsewhere it follows the directions
-of principal curvature where these are distinct. Boundary vertices are regular, but for corners
+that the user wants, or those of principal curvature where these are distinct. Boundary vertices are regular, but for corners
 with an interior angle below 135 degrees, at which one quad will stand; what the field turns more
 at other corners is moved to an inner vertex, about two quads away. Pairs of opposite
 singularities that are closer than two quads cancel each other. The field lives on a refinement of
@@ -201,6 +248,17 @@ normals, its faces cover the mesh without folds and gaps. If this fails, the mes
                        `smallest_enclosing_sphere_diameter(tm)`}
     \cgalParamExtra{sizes are reduced where they grow faster than by half of the distance}
   \cgalParamNEnd
+  \cgalParamNBegin{cross_field_map}
+    \cgalParamDescription{a direction at each face that one arm of the cross should follow. Only its
+                           part in the plane of the face counts, and not its length.}
+    \cgalParamType{a class model of `ReadablePropertyMap` with
+                    `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and
+                    `%Vector_3` as value type}
+    \cgalParamDefault{the zero vector everywhere}
+    \cgalParamExtra{where it is the zero vector the field is smooth and follows the curvature. At the
+                     boundary, alignment with the boundary comes first; a wish that disagrees with it
+                     moves the singularities, and so does one that is not smooth.}
+  \cgalParamNEnd
   \cgalParamNBegin{use_proxy_mesh}
     \cgalParamDescription{whether to try to compute the field on a proxy of the mesh}
     \cgalParamType{Boolean}
@@ -217,7 +275,8 @@ normals, its faces cover the mesh without folds and gaps. If this fails, the mes
 \cgalNamedParamsEnd
 
 \return `Error_code::OK`, or the reason why there is no field: that of the network if it has one, an
-        unsuitable mesh, a size that is not a positive number, or a numerical failure.
+        unsuitable mesh, a size that is not a positive number, a direction that
+        is not finite, or a numerical failure.
 
 \pre `network` has been created from `tm`
 */

@@ -77,8 +77,16 @@ mesh to T-NURCC surface conversion*, Computers & Graphics 82 (2019).
     \cgalParamDescription{the wanted edge length of the quads of the layout}
     \cgalParamType{a number, or a class model of `ReadablePropertyMap` with
                     `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a number
-                    type as value type}
+                    type as value type, or a function object that returns a number for a vertex}
     \cgalParamDefault{the larger of *D* / 40 and twice the mean edge length of `tm`}
+  \cgalParamNEnd
+  \cgalParamNBegin{cross_field_map}
+    \cgalParamDescription{a direction at each face that the quads should follow, see
+                           `compute_cross_field()`}
+    \cgalParamType{a class model of `ReadablePropertyMap` with
+                    `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and
+                    `%Vector_3` as value type}
+    \cgalParamDefault{the zero vector everywhere: no wish}
   \cgalParamNEnd
   \cgalParamNBegin{corner_angle}
     \cgalParamDescription{a boundary vertex is a corner if the tangents of its two curves
@@ -136,6 +144,7 @@ Error_code convert_to_T_NURCC(const TriangleMesh& tm, const HalfedgeCurveMap& ha
                                                        Default_visitor>::reference Visitor_reference;
   typedef typename std::decay<Visitor_reference>::type Visitor;
   typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex_descriptor;
+  typedef typename boost::graph_traits<TriangleMesh>::face_descriptor face_descriptor;
 
   surfaces.clear();
   report = Conversion_report();
@@ -163,9 +172,13 @@ Error_code convert_to_T_NURCC(const TriangleMesh& tm, const HalfedgeCurveMap& ha
     return report.status;
   const auto size_map = internal::quad_size_map(
     tm, vpm, diameter, get_parameter(np, internal_np::quad_size_map), report);
+  const auto cross_field_map
+    = choose_parameter(get_parameter(np, internal_np::cross_field_map),
+                       Constant_property_map<face_descriptor, typename K::Vector_3>(NULL_VECTOR));
   internal::Converter<TriangleMesh, std::decay_t<decltype(vpm)>, BoundaryCurveTraits,
-                      std::decay_t<decltype(size_map)>, T_NURCC_surface_3<K>, Visitor>
-    converter(tm, vpm, network, size_map, options, visitor, surfaces, report);
+                      std::decay_t<decltype(size_map)>, std::decay_t<decltype(cross_field_map)>,
+                      T_NURCC_surface_3<K>, Visitor>
+    converter(tm, vpm, network, size_map, cross_field_map, options, visitor, surfaces, report);
   report.status = converter(halfedge_curve_map);
   return report.status;
 }

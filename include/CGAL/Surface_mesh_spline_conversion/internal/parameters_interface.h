@@ -14,6 +14,7 @@
 CGAL_add_named_parameter(boundary_tolerance_t, boundary_tolerance, boundary_tolerance)
 CGAL_add_named_parameter(interior_tolerance_t, interior_tolerance, interior_tolerance)
 CGAL_add_named_parameter(quad_size_map_t, quad_size_map, quad_size_map)
+CGAL_add_named_parameter(cross_field_map_t, cross_field_map, cross_field_map)
 CGAL_add_named_parameter(corner_angle_t, corner_angle, corner_angle)
 CGAL_add_named_parameter(association_tolerance_t, association_tolerance, association_tolerance)
 CGAL_add_named_parameter(error_metric_t, error_metric, error_metric)

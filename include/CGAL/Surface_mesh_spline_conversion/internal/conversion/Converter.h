@@ -46,8 +46,9 @@ namespace internal {
 // Runs the stages of the conversion on one connected component after the other.
 //
 // SizeMap: property map from the vertices of the mesh to the wanted size of the quads.
+// CrossFieldMap: property map from the faces of the mesh to the wanted direction of the quads.
 template <typename TriangleMesh, typename VertexPointMap, typename BoundaryCurveTraits,
-          typename SizeMap, typename Surface, typename Visitor>
+          typename SizeMap, typename CrossFieldMap, typename Surface, typename Visitor>
 class Converter
 {
   typedef typename boost::property_traits<VertexPointMap>::value_type Point_3;
@@ -62,10 +63,12 @@ class Converter
 
 public:
   Converter(const TriangleMesh& tm, const VertexPointMap& vpm, const Network& network,
-            const SizeMap& size_map, const Conversion_options& options, Visitor& visitor,
-            std::vector<Surface>& surfaces, Conversion_report& report)
-    : m_tm(tm), m_vpm(vpm), m_network(network), m_size_map(size_map), m_options(options)
-    , m_visitor(visitor), m_surfaces(surfaces), m_report(report)
+            const SizeMap& size_map, const CrossFieldMap& cross_field_map,
+            const Conversion_options& options, Visitor& visitor, std::vector<Surface>& surfaces,
+            Conversion_report& report)
+    : m_tm(tm), m_vpm(vpm), m_network(network), m_size_map(size_map)
+    , m_cross_field_map(cross_field_map), m_options(options), m_visitor(visitor)
+    , m_surfaces(surfaces), m_report(report)
   {}
 
   // `curves`: the property map of the curve segments of the halfedges
@@ -79,7 +82,8 @@ public:
     {
       Component component;
       splitter.copy(i, curves, [&](auto v) { return m_network.is_corner(v); },
-                    [&](auto v) { return CGAL::to_double(get(m_size_map, v)); }, component);
+                    [&](auto v) { return CGAL::to_double(get(m_size_map, v)); },
+                    [&](auto f) { return get(m_cross_field_map, f); }, component);
       Conversion_report part;
       const Error_code code = convert(component, part);
       merge_reports(part, m_report);
@@ -146,7 +150,9 @@ private:
     Quad_layout<Kernel> layout;
     const Error_code code
       = compute_quad_layout(component.mesh, network, layout, part,
-                            parameters::quad_size_map(component.sizes).visitor(std::ref(m_visitor)));
+                            parameters::quad_size_map(component.sizes)
+                              .cross_field_map(component.directions)
+                              .visitor(std::ref(m_visitor)));
     return code == Error_code::OK ? fit(component, network, layout, part) : code;
   }
 
@@ -265,6 +271,7 @@ private:
   VertexPointMap m_vpm;
   const Network& m_network;
   SizeMap m_size_map;
+  CrossFieldMap m_cross_field_map;
   Conversion_options m_options;
   Visitor& m_visitor;
   std::vector<Surface>& m_surfaces;

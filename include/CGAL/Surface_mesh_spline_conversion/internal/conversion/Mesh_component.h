@@ -13,6 +13,7 @@
 
 #include <CGAL/Surface_mesh_spline_conversion/Curve_segment.h>
 
+#include <CGAL/Kernel_traits.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
@@ -34,20 +35,25 @@ struct Mesh_component
   typedef CGAL::Surface_mesh<Point_3> Mesh;
   typedef typename Mesh::Vertex_index Vertex_index;
   typedef typename Mesh::Halfedge_index Halfedge_index;
+  typedef typename Mesh::Face_index Face_index;
+  typedef typename Kernel_traits<Point>::Kernel::Vector_3 Vector_3;
   typedef Curve_segment<BoundaryCurveTraits> Segment;
   typedef typename Mesh::template Property_map<Halfedge_index, Segment> Halfedge_curve_map;
   typedef typename Mesh::template Property_map<Vertex_index, bool> Corner_map;
   typedef typename Mesh::template Property_map<Vertex_index, double> Size_map;
+  typedef typename Mesh::template Property_map<Face_index, Vector_3> Direction_map;
 
   Mesh mesh;
   Halfedge_curve_map segments; // of the halfedges along the boundary with their face in the mesh
   Corner_map corners;          // the corners of the boundary
   Size_map sizes;              // wanted edge lengths of the quads
+  Direction_map directions;    // wanted directions of the quads, zero for none
 
   Mesh_component()
     : segments(mesh.template add_property_map<Halfedge_index, Segment>("h:segment").first)
     , corners(mesh.template add_property_map<Vertex_index, bool>("v:corner", false).first)
     , sizes(mesh.template add_property_map<Vertex_index, double>("v:size").first)
+    , directions(mesh.template add_property_map<Face_index, Vector_3>("f:direction").first)
   {}
   Mesh_component(const Mesh_component&) = delete;
   Mesh_component& operator=(const Mesh_component&) = delete;
@@ -84,10 +90,11 @@ public:
 
   std::size_t number_of_components() const { return m_number_of_components; }
 
-  // copies component `i`; `is_corner(v)` tells the corners of the boundary, `size(v)` the quad size.
-  template <typename HalfedgeCurveMap, typename IsCorner, typename Size>
+  // copies component `i`; `is_corner(v)` tells the corners of the boundary, `size(v)` the quad size, and
+  // `direction(f)` the wanted direction of the quads.
+  template <typename HalfedgeCurveMap, typename IsCorner, typename Size, typename Direction>
   void copy(std::size_t i, const HalfedgeCurveMap& curves, const IsCorner& is_corner,
-            const Size& size, Component& component) const
+            const Size& size, const Direction& direction, Component& component) const
   {
     std::vector<typename Component::Vertex_index> copied(num_vertices(m_tm));
     std::vector<bool> is_copied(copied.size(), false);
@@ -104,7 +111,7 @@ public:
       }
     for(const face_descriptor f : faces(m_tm))
       if(get(m_component, f) == i)
-        component.mesh.add_face(vertices_of(f, copied));
+        component.directions[component.mesh.add_face(vertices_of(f, copied))] = direction(f);
     copy_segments(i, curves, copied, component);
   }
 

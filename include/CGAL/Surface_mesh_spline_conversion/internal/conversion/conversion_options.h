@@ -22,6 +22,7 @@
 #include <CGAL/property_map.h>
 
 #include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/function_property_map.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -115,6 +116,8 @@ auto quad_size_map(const TriangleMesh& tm, const VertexPointMap& vpm, double, co
     check_quad_size(double(size), mean_edge_length(tm, vpm), report);
     return Constant_property_map<vertex_descriptor, double>(double(size));
   }
+  else if constexpr(std::is_invocable<const Size&, vertex_descriptor>::value)
+    return boost::make_function_property_map<vertex_descriptor>(size);
   else
     return size;
 }

@@ -27,11 +27,12 @@ namespace CGAL {
 namespace Surface_mesh_spline_conversion {
 namespace internal {
 
-// The wish of a face to have a cross direction along its principal curvature directions.
+// The wish of a face to have a cross direction along its principal curvature directions, or along
+// the one that the user wants.
 struct Curvature_alignment
 {
-  std::vector<std::complex<double> > cross;  // per face: e^(4 i angle) of a principal direction
-  std::vector<double> confidence;            // per face: in [0, 1), 0 at umbilics
+  std::vector<std::complex<double> > cross;  // per face: e^(4 i angle) of a wanted direction
+  std::vector<double> confidence;            // per face: of curvature in [0, 1), 0 at umbilics
 };
 
 inline std::vector<Eigen::Vector3d> vertex_normals(const Working_mesh& mesh,
@@ -154,6 +155,25 @@ inline Curvature_alignment align_with_curvature(const Cross_field& field,
   for(int f = 0; f < mesh.number_of_faces(); ++f)
     align_face(mesh, f, field.axis[f], field.size[mesh.triangles[f][0]], tensors[f], alignment);
   return alignment;
+}
+
+// Replaces curvature by the directions that the user wants, where there are some.
+inline void align_with_wanted_directions(const Cross_field& field, Curvature_alignment& alignment)
+{
+  // the field follows within a tenth of a quad
+  const double confidence = 100;
+  if(field.wanted_direction.empty())
+    return;
+  for(int f = 0; f < field.mesh.number_of_faces(); ++f)
+  {
+    const Eigen::Vector3d& wanted = field.wanted_direction[field.mesh.parent[f]];
+    const Eigen::Vector3d second_axis = field.mesh.normal(f).normalized().cross(field.axis[f]);
+    const std::complex<double> direction(wanted.dot(field.axis[f]), wanted.dot(second_axis));
+    if(!(std::abs(direction) > 0))
+      continue;
+    alignment.cross[f] = std::pow(direction / std::abs(direction), 4);
+    alignment.confidence[f] = confidence;
+  }
 }
 
 } // namespace internal

@@ -37,6 +37,7 @@ public:
     : m_field(field), m_mesh(field.mesh), m_geometry(geometry),
       m_alignment(align_with_curvature(field, geometry)), m_is_fixed(m_mesh.number_of_faces(), 0)
   {
+    align_with_wanted_directions(field, m_alignment);
     mark_boundary_faces();
     mark_faces_of_closed_components();
     number_unknowns();
