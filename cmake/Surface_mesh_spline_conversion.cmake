@@ -20,6 +20,16 @@ target_include_directories(Surface_mesh_spline_conversion BEFORE INTERFACE
   $<BUILD_INTERFACE:${SMSC_ROOT_DIR}/include> $<INSTALL_INTERFACE:include>)
 target_link_libraries(Surface_mesh_spline_conversion INTERFACE CGAL::CGAL CGAL::Eigen3_support)
 
+# Without it, one thread does everything, with the same result.
+option(SMSC_WITH_TBB "Use several threads, if TBB is found" ON)
+if(SMSC_WITH_TBB)
+  find_package(TBB QUIET)
+  include(CGAL_TBB_support)
+  if(TARGET CGAL::TBB_support)
+    target_link_libraries(Surface_mesh_spline_conversion INTERFACE CGAL::TBB_support)
+  endif()
+endif()
+
 # The factorisation of this package suffices; CHOLMOD pays with a fast BLAS and large systems.
 option(SMSC_USE_CHOLMOD "Factorise sparse matrices with CHOLMOD of SuiteSparse" OFF)
 if(SMSC_USE_CHOLMOD)

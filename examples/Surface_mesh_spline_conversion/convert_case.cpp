@@ -12,6 +12,7 @@
 
 #include "convert_case/Options.h"
 #include "convert_case/Progress_visitor.h"
+#include "convert_case/Thread_limit.h"
 #include "convert_case/brep.h"
 #include "convert_case/mesh_reader.h"
 #include "convert_case/resolution.h"
@@ -230,6 +231,7 @@ int main(int argc, char* argv[])
   }
   try
   {
+    const Thread_limit limit(options.threads);
     return run(options);
   }
   catch(const std::exception& exception) // for instance, not enough memory

@@ -39,6 +39,12 @@ foreach(file new/a.step a.json a.csv a.svg a.vtu pictures/layout.png pictures/pa
   expect_file(${file})
 endforeach()
 expect_status(a.json "ok")
+expect(0 ${case} ${tolerances} --quiet --threads 1 --output ${OUTPUT}/one_thread.step)
+execute_process(COMMAND ${CMAKE_COMMAND} -E compare_files ${OUTPUT}/new/a.step
+                ${OUTPUT}/one_thread.step RESULT_VARIABLE are_different)
+if(are_different)
+  message(SEND_ERROR "the surface depends on the number of threads")
+endif()
 file(READ ${OUTPUT}/a.json report)
 foreach(keys "input;loops" "xi" "delta" "quad_size" "boundary;max_deviation"
         "boundary;certified_bound" "boundary;worst;t" "interior;max_deviation" "interior;worst;2"

@@ -29,7 +29,7 @@ struct Options
   std::string preset = "medium";
   bool is_relative = false;
   std::string output, report, history, vtk, pictures, stitched, residual;
-  std::size_t threads = 1;
+  std::size_t threads = 0; // as many as the machine offers
   std::size_t maximum_number_of_patches = 200000; // the default of the library
   std::string error_metric = "reprojected";
   bool do_merge = true;
@@ -55,7 +55,7 @@ inline const char* usage()
     "  --stitched F.step  stitch with the residual model to a solid (or F.brep)\n"
     "  --residual F.step  the residual model: that of a mesh, or instead of that of the case;\n"
     "                     a mesh gets the curves of its free edges\n"
-    "  --threads N        number of threads (one is used in this version)\n"
+    "  --threads N        at most N threads (all cores; one if built without TBB)\n"
     "  --max-patches N    stop refining at this number of patches\n"
     "  --error-metric M   parametric, reprojected (default), or hausdorff\n"
     "  --no-merge         one face per patch in the STEP file\n"

@@ -15,6 +15,7 @@
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/Deviation_statistics.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/Point_index.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/bezier_pieces.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/for_each_index.h>
 
 #include <CGAL/number_utils.h>
 
@@ -57,6 +58,13 @@ public:
   }
 
   const std::vector<Eigen::Vector3d>& points() const { return m_points; }
+
+  std::vector<Foot> project(const std::vector<Eigen::Vector3d>& points) const
+  {
+    std::vector<Foot> feet(points.size());
+    for_each_index(points.size(), [&](std::size_t i) { feet[i] = project(points[i]); });
+    return feet;
+  }
 
   Foot project(const Eigen::Vector3d& p) const
   {
@@ -237,25 +245,24 @@ Boundary_deviation boundary_deviation(const NURBS_shell_3<K>& shell, const Netwo
   const Shell_border_curves<K> border(shell);
   const Curve_projector<Network_curves<Network> > on_curves(curves);
   const Curve_projector<Shell_border_curves<K> > on_border(border);
-  for(const Eigen::Vector3d& p : on_border.points())
+  const auto feet_on_curves = on_curves.project(on_border.points());
+  for(std::size_t i = 0; i < feet_on_curves.size(); ++i)
   {
-    const auto foot = on_curves.project(p);
-    if(result.statistics.add(foot.distance, p))
+    const auto& foot = feet_on_curves[i];
+    if(result.statistics.add(foot.distance, on_border.points()[i]))
     {
       result.chain = curves.chain(foot.curve);
       result.arc_length = curves.arc_length(foot.curve, foot.parameter);
     }
   }
-  for(std::size_t i = 0; i < on_curves.points().size(); ++i)
-  {
-    const Eigen::Vector3d& p = on_curves.points()[i];
-    if(result.statistics.add(on_border.project(p).distance, p))
+  const auto feet_on_border = on_border.project(on_curves.points());
+  for(std::size_t i = 0; i < feet_on_border.size(); ++i)
+    if(result.statistics.add(feet_on_border[i].distance, on_curves.points()[i]))
     {
       const auto& sample = on_curves.samples()[i];
       result.chain = curves.chain(sample.curve);
       result.arc_length = curves.arc_length(sample.curve, sample.parameter);
     }
-  }
   return result;
 }
 

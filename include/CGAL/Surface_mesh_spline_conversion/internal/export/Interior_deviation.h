@@ -15,6 +15,7 @@
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/Mesh_distance.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/Point_index.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/bezier_pieces.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/for_each_index.h>
 
 #include <CGAL/boost/graph/iterator.h>
 
@@ -49,8 +50,10 @@ public:
     : m_pieces(pieces), m_mesh(mesh)
   {
     m_statistics.bound = bound;
-    for(std::size_t i = 0; i < pieces.size(); ++i)
-      sample_piece(i);
+    std::vector<Piece_samples> parts(pieces.size());
+    for_each_index(pieces.size(), [&](std::size_t i) { sample_piece(i, parts[i]); });
+    for(const Piece_samples& part : parts)
+      append(part);
     climb();
   }
 
@@ -58,16 +61,21 @@ public:
   template <typename TriangleMesh, typename VertexPointMap>
   void add_mesh(const TriangleMesh& tm, const VertexPointMap& vpm)
   {
-    const Point_index index(m_points);
+    std::vector<Eigen::Vector3d> queries;
     for(auto v : vertices(tm))
-      add_mesh_point(index, to_eigen(get(vpm, v)));
+      queries.push_back(to_eigen(get(vpm, v)));
     for(auto f : faces(tm))
     {
-      Eigen::Vector3d center = Eigen::Vector3d::Zero();
+      queries.push_back(Eigen::Vector3d::Zero());
       for(auto v : vertices_around_face(halfedge(f, tm), tm))
-        center += to_eigen(get(vpm, v)) / 3;
-      add_mesh_point(index, center);
+        queries.back() += to_eigen(get(vpm, v)) / 3;
     }
+    const Point_index index(m_points);
+    std::vector<double> deviations(queries.size());
+    for_each_index(queries.size(), [&](std::size_t i)
+      { deviations[i] = deviation_of_mesh_point(index, queries[i]); });
+    for(std::size_t i = 0; i < queries.size(); ++i)
+      m_statistics.add(deviations[i], queries[i]);
   }
 
   const Deviation_statistics& statistics() const { return m_statistics; }
@@ -96,6 +104,15 @@ private:
     double v;
   };
 
+  struct Piece_samples
+  {
+    std::vector<Sample> samples;
+    std::vector<Eigen::Vector3d> points;
+    std::vector<double> deviations;
+    long facing = 0;      // samples that look like the mesh minus those that look against it
+    std::size_t hint = 0; // for the search on the mesh
+  };
+
   // so many intervals that samples are as dense as the vertices of the mesh; an even number
   int number_of_intervals(double length) const
   {
@@ -120,27 +137,36 @@ private:
   }
 
   // grid points and, as a mesh of the same spacing could hide its chords, the centres between them
-  void sample_piece(std::size_t i)
+  void sample_piece(std::size_t i, Piece_samples& part) const
   {
     const Bezier_piece& piece = m_pieces[i];
     const int nu = number_of_intervals(length(piece, 0)), nv = number_of_intervals(length(piece, 1));
     for(int b = 0; b <= 2 * nv; ++b)
       for(int a = b & 1; a <= 2 * nu; a += 2)
-        add_sample({i, a / (2. * nu), b / (2. * nv)}, a & 1);
+        add_sample({i, a / (2. * nu), b / (2. * nv)}, a & 1, part);
   }
 
-  void add_sample(const Sample& sample, bool is_center)
+  void add_sample(const Sample& sample, bool is_center, Piece_samples& part) const
   {
     const Bezier_piece& piece = m_pieces[sample.piece];
     const auto d = is_center ? piece.point_and_tangents(sample.u, sample.v)
                  : Bezier_piece::Point_and_tangents{{piece.point(sample.u, sample.v)}};
-    const Mesh_distance::Foot foot = m_mesh.foot(d[0], m_hint);
-    m_samples.push_back(sample);
-    m_points.push_back(d[0]);
-    m_deviations.push_back(excess(d[0], foot.distance));
-    m_statistics.add(m_deviations.back(), d[0]);
+    const Mesh_distance::Foot foot = m_mesh.foot(d[0], part.hint);
+    part.samples.push_back(sample);
+    part.points.push_back(d[0]);
+    part.deviations.push_back(excess(d[0], foot.distance));
     if(is_center)
-      m_facing[piece.face] += (d[1].cross(d[2]).dot(foot.normal) >= 0) ? 1 : -1;
+      part.facing += (d[1].cross(d[2]).dot(foot.normal) >= 0) ? 1 : -1;
+  }
+
+  void append(const Piece_samples& part)
+  {
+    m_samples.insert(m_samples.end(), part.samples.begin(), part.samples.end());
+    m_points.insert(m_points.end(), part.points.begin(), part.points.end());
+    m_deviations.insert(m_deviations.end(), part.deviations.begin(), part.deviations.end());
+    for(std::size_t i = 0; i < part.points.size(); ++i)
+      m_statistics.add(part.deviations[i], part.points[i]);
+    m_facing[m_pieces[part.samples.front().piece].face] += part.facing;
   }
 
   double excess(const Eigen::Vector3d& p, double distance) const
@@ -161,14 +187,15 @@ private:
                       [this](std::size_t a, std::size_t b)
                       { return std::make_pair(-m_deviations[a], a)
                              < std::make_pair(-m_deviations[b], b); });
+    std::size_t hint = 0;
     std::set<std::size_t> pieces;
     for(std::size_t i = 0; i < n && pieces.size() < NUMBER_OF_CLIMBS; ++i)
       if(pieces.insert(m_samples[order[i]].piece).second)
-        climb_from(m_samples[order[i]], m_deviations[order[i]]);
+        climb_from(m_samples[order[i]], m_deviations[order[i]], hint);
   }
 
   // tries the eight directions of the compass with smaller and smaller steps
-  void climb_from(Sample sample, double deviation)
+  void climb_from(Sample sample, double deviation, std::size_t& hint)
   {
     constexpr double FIRST_STEP = 1. / 16, LAST_STEP = 1e-5; // of the parameters
     static const std::array<std::array<int, 2>, 8> directions
@@ -183,7 +210,7 @@ private:
         const double u = clamped(sample.u + step * direction[0]);
         const double v = clamped(sample.v + step * direction[1]);
         const Eigen::Vector3d p = piece.point(u, v);
-        const double next = excess(p, m_mesh.foot(p, m_hint).distance);
+        const double next = excess(p, m_mesh.foot(p, hint).distance);
         if(!(next > deviation))
           continue;
         sample = {sample.piece, u, v};
@@ -203,7 +230,7 @@ private:
 
   static double clamped(double t) { return (std::min)(1., (std::max)(0., t)); }
 
-  void add_mesh_point(const Point_index& index, const Eigen::Vector3d& p)
+  double deviation_of_mesh_point(const Point_index& index, const Eigen::Vector3d& p) const
   {
     double distance = (std::numeric_limits<double>::infinity)();
     for(std::size_t i : index.nearest(p, NUMBER_OF_STARTS))
@@ -212,12 +239,11 @@ private:
       double u = sample.u, v = sample.v;
       distance = (std::min)(distance, project_to_piece(m_pieces[sample.piece], p, u, v));
     }
-    m_statistics.add(excess(p, distance), p);
+    return excess(p, distance);
   }
 
   const std::vector<Bezier_piece>& m_pieces;
   const Mesh_distance& m_mesh;
-  std::size_t m_hint = 0;
   std::vector<Sample> m_samples;
   std::vector<Eigen::Vector3d> m_points;
   std::vector<double> m_deviations;
