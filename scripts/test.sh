@@ -5,8 +5,9 @@ set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 source "$root/scripts/install_packages.sh"
 install_packages cmake make g++ libcgal-dev libeigen3-dev clang-14 doxygen
-# not needed, but then stitching and curves on B-Reps are tested, too
+# not needed, but then stitching, curves on B-Reps, and several threads are tested, too
 install_packages libocct-data-exchange-dev || echo "Without Open CASCADE"
+install_packages libtbb-dev || echo "Without TBB"
 
 build=$root/build/test
 launcher=()
