@@ -5,7 +5,7 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh_spline_conversion/internal/export/Point_index.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/Point_index.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/bezier_pieces.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/extract_shell.h>
 

@@ -53,6 +53,8 @@ struct Deviation
   FT interior_mean = 0;           ///< their mean
   FT fraction_within = 1;         ///< share of the samples that keep the interior tolerance
   Point_3 interior_worst;         ///< where it is largest
+  std::vector<Point_3> interior_violations; ///< where it exceeds the interior tolerance: the worst
+                                            ///< place of each polynomial piece of the shell
 
   FT normal_angle_maximum = 0;    ///< largest angle between normals across an edge, in degrees
   Point_3 normal_angle_worst;     ///< where it is largest
@@ -134,6 +136,9 @@ void measure_deviation(const NURBS_shell_3<K>& shell, const TriangleMesh& tm,
   deviation.interior_mean = interior.statistics().mean();
   deviation.fraction_within = interior.statistics().fraction_within();
   deviation.interior_worst = point(interior.statistics().worst);
+  deviation.interior_violations.clear();
+  for(const Eigen::Vector3d& p : interior.violations())
+    deviation.interior_violations.push_back(point(p));
   deviation.faces_against_mesh = interior.number_of_faces_against_mesh();
 
   const internal::Deviation_statistics angles = internal::normal_angles(shell);

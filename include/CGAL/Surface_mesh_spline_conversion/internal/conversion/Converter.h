@@ -21,10 +21,11 @@
 #include <CGAL/Surface_mesh_spline_conversion/extract_NURBS_faces.h>
 #include <CGAL/Surface_mesh_spline_conversion/find_boundary_vertices.h>
 #include <CGAL/Surface_mesh_spline_conversion/fit_boundary.h>
-#include <CGAL/Surface_mesh_spline_conversion/fit_interior.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/conversion/Mesh_component.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/conversion/conversion_options.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/conversion/merge_reports.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/fitting/Interior_fitter.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/fitting/fit_parameters.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/named_parameters.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/run_stage.h>
 #include <CGAL/Surface_mesh_spline_conversion/measure_deviation.h>
@@ -99,10 +100,10 @@ public:
   }
 
 private:
-  // The fit and the independent measurement have different samples. Where the latter finds more
-  // than the tolerance, the fit is continued with a smaller one.
-  static constexpr int maximum_number_of_interior_fits = 3;
-  static constexpr double tightening = 0.99;
+  // The fit and the independent measurement have different samples, and the latter sees the faces
+  // around extraordinary points and above corners as they leave for a CAD system. Where it finds
+  // more than the tolerance, the surface is refined, and the fit goes on; so many times at most.
+  static constexpr int maximum_number_of_improvements = 8;
 
   void describe_input(std::size_t number_of_components)
   {
@@ -168,6 +169,7 @@ private:
       return surface.error();
     }
     const auto np = parameters::boundary_tolerance(m_options.boundary_tolerance)
+                      .interior_tolerance(m_options.interior_tolerance)
                       .error_metric(m_options.error_metric)
                       .maximum_number_of_patches(m_options.maximum_number_of_patches)
                       .visitor(std::ref(m_visitor));
@@ -175,23 +177,24 @@ private:
       { return fit_boundary(surface, target, part, np); });
     if(!is_surface(result))
       return result;
-    Error_code interior = Error_code::OK, measured = Error_code::OK;
-    double tolerance = m_options.interior_tolerance;
-    const std::string message = part.message;
-    for(int round = 0; round < maximum_number_of_interior_fits; ++round)
+    Interior_fitter<Surface, Target, Visitor> fitter(
+      surface, target, interior_fit_options(target, np), boundary_fit_options(target, np),
+      m_visitor, part);
+    std::vector<Point_3> violations;
+    Error_code interior = run("fit_interior", part, [&]() { return fitter(); });
+    Error_code measured = Error_code::OK;
+    for(int round = 0; is_surface(interior); ++round)
     {
-      part.message = message;
-      interior = run("fit_interior", part, [&]()
-        { return fit_interior(surface, target, part, np.interior_tolerance(tolerance)); });
-      if(!is_surface(interior))
-        return interior;
       measured = run("measure_deviation", part, [&]()
-        { return measure(surface, component, network, part); });
-      if(interior != Error_code::OK
-         || !(part.interior.max_deviation > m_options.interior_tolerance))
+        { return measure(surface, component, network, part, violations); });
+      if(interior != Error_code::OK || violations.empty()
+         || round == maximum_number_of_improvements)
         break;
-      tolerance *= tightening * m_options.interior_tolerance / part.interior.max_deviation;
+      part.message.clear();
+      interior = run("fit_interior", part, [&]() { return fitter.improve(violations); });
     }
+    if(!is_surface(interior))
+      return interior;
     count(surface, part);
     m_surfaces.push_back(std::move(surface));
     for(const Error_code code : {measured, interior})
@@ -199,9 +202,11 @@ private:
     return result;
   }
 
-  // measures the surface as it leaves for a CAD system, caps included.
+  // measures the surface as it leaves for a CAD system, caps included; `violations` are places
+  // where it misses the interior tolerance.
   Error_code measure(const Surface& surface, const Component& component,
-                     const Component_network& network, Conversion_report& part)
+                     const Component_network& network, Conversion_report& part,
+                     std::vector<Point_3>& violations)
   {
     const auto tolerance = parameters::interior_tolerance(m_options.interior_tolerance);
     NURBS_shell_3<Kernel> shell;
@@ -220,6 +225,7 @@ private:
     for(int i = 0; i < 3; ++i)
       part.interior.worst[i] = CGAL::to_double(deviation.interior_worst[i]);
     part.smoothness.max_normal_angle_degrees = CGAL::to_double(deviation.normal_angle_maximum);
+    violations = deviation.interior_violations;
     part.counts.nurbs_faces = shell.number_of_faces();
     return check_deviation(deviation, part);
   }

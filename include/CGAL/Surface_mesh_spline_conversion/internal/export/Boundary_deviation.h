@@ -12,8 +12,8 @@
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
 #include <CGAL/Surface_mesh_spline_conversion/NURBS_shell_3.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/Point_index.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/Deviation_statistics.h>
-#include <CGAL/Surface_mesh_spline_conversion/internal/export/Point_index.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/bezier_pieces.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/for_each_index.h>
 

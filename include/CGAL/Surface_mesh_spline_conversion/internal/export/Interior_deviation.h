@@ -11,9 +11,9 @@
 
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
+#include <CGAL/Surface_mesh_spline_conversion/internal/Point_index.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/Deviation_statistics.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/Mesh_distance.h>
-#include <CGAL/Surface_mesh_spline_conversion/internal/export/Point_index.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/bezier_pieces.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/for_each_index.h>
 
@@ -71,14 +71,26 @@ public:
         queries.back() += to_eigen(get(vpm, v)) / 3;
     }
     const Point_index index(m_points);
-    std::vector<double> deviations(queries.size());
+    std::vector<Mesh_point> points(queries.size());
     for_each_index(queries.size(), [&](std::size_t i)
-      { deviations[i] = deviation_of_mesh_point(index, queries[i]); });
+      { points[i] = project_mesh_point(index, queries[i]); });
     for(std::size_t i = 0; i < queries.size(); ++i)
-      m_statistics.add(deviations[i], queries[i]);
+    {
+      m_statistics.add(points[i].deviation, queries[i]);
+      note_violation(points[i].piece, points[i].deviation, queries[i]);
+    }
   }
 
   const Deviation_statistics& statistics() const { return m_statistics; }
+
+  /// the places where the deviation exceeds the bound: the worst one of each piece, in their order
+  std::vector<Eigen::Vector3d> violations() const
+  {
+    std::vector<Eigen::Vector3d> result;
+    for(const auto& entry : m_violations)
+      result.push_back(entry.second.place);
+    return result;
+  }
 
   /// the number of faces that look against the mesh at most of their samples
   std::size_t number_of_faces_against_mesh() const
@@ -111,6 +123,18 @@ private:
     std::vector<double> deviations;
     long facing = 0;      // samples that look like the mesh minus those that look against it
     std::size_t hint = 0; // for the search on the mesh
+  };
+
+  struct Mesh_point
+  {
+    double deviation;
+    std::size_t piece; // the nearest one
+  };
+
+  struct Violation
+  {
+    double deviation;
+    Eigen::Vector3d place;
   };
 
   // so many intervals that samples are as dense as the vertices of the mesh; an even number
@@ -165,7 +189,10 @@ private:
     m_points.insert(m_points.end(), part.points.begin(), part.points.end());
     m_deviations.insert(m_deviations.end(), part.deviations.begin(), part.deviations.end());
     for(std::size_t i = 0; i < part.points.size(); ++i)
+    {
       m_statistics.add(part.deviations[i], part.points[i]);
+      note_violation(part.samples[i].piece, part.deviations[i], part.points[i]);
+    }
     m_facing[m_pieces[part.samples.front().piece].face] += part.facing;
   }
 
@@ -221,6 +248,7 @@ private:
       if(!has_improved)
         step /= 2;
     }
+    note_violation(sample.piece, deviation, worst);
     if(deviation > m_statistics.maximum)
     {
       m_statistics.maximum = deviation;
@@ -230,16 +258,30 @@ private:
 
   static double clamped(double t) { return (std::min)(1., (std::max)(0., t)); }
 
-  double deviation_of_mesh_point(const Point_index& index, const Eigen::Vector3d& p) const
+  Mesh_point project_mesh_point(const Point_index& index, const Eigen::Vector3d& p) const
   {
     double distance = (std::numeric_limits<double>::infinity)();
+    std::size_t nearest_piece = 0;
     for(std::size_t i : index.nearest(p, NUMBER_OF_STARTS))
     {
       const Sample& sample = m_samples[i];
       double u = sample.u, v = sample.v;
-      distance = (std::min)(distance, project_to_piece(m_pieces[sample.piece], p, u, v));
+      const double next = project_to_piece(m_pieces[sample.piece], p, u, v);
+      if(!(next < distance))
+        continue;
+      distance = next;
+      nearest_piece = sample.piece;
     }
-    return excess(p, distance);
+    return {excess(p, distance), nearest_piece};
+  }
+
+  void note_violation(std::size_t piece, double deviation, const Eigen::Vector3d& p)
+  {
+    if(!(deviation > m_statistics.bound))
+      return;
+    const auto entry = m_violations.emplace(piece, Violation{deviation, p}).first;
+    if(deviation > entry->second.deviation)
+      entry->second = Violation{deviation, p};
   }
 
   const std::vector<Bezier_piece>& m_pieces;
@@ -248,6 +290,7 @@ private:
   std::vector<Eigen::Vector3d> m_points;
   std::vector<double> m_deviations;
   std::map<std::size_t, long> m_facing; // by face
+  std::map<std::size_t, Violation> m_violations; // by piece
   Deviation_statistics m_statistics;
 };
 

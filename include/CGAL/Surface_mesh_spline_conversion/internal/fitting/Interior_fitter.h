@@ -48,6 +48,8 @@ class Interior_fitter
   typedef Interior_samples<Surface, Target> Samples;
   typedef Interior_system<Samples> System;
   typedef typename System::Points Points;
+  typedef Interior_error<Surface, Target> Errors;
+  typedef typename Surface::Patch_split Patch_split;
 
 public:
   Interior_fitter(Surface& surface, const Target& target, const Interior_fit_options& options,
@@ -59,38 +61,37 @@ public:
 
   Error_code operator()()
   {
-    Error_code boundary_code = Error_code::OK;
-    int crease_refinements = 0;
-    for(size_type iteration = 0; ; ++iteration)
+    for(; ; ++m_iteration)
     {
       Real_timer timer;
       timer.start();
-      const Error_code code = fit();
+      Error_code code = fit();
       if(code != Error_code::OK)
         return code;
-      record(iteration, timer.time());
-      if(m_largest.error < m_options.tolerance)
-      {
-        if(m_rough_patches.empty() || ++crease_refinements > maximum_number_of_crease_refinements)
-          return boundary_code;
-        m_surface.refine(m_rough_patches);
-        boundary_code = refit_boundary();
-        if(boundary_code != Error_code::OK)
-          return boundary_code;
-        continue;
-      }
-      if(m_surface.number_of_patches() + 3 * m_splits.size()
-           > m_options.maximum_number_of_patches
-         || iteration + 1 == maximum_number_of_iterations)
-        return fail(Error_code::TOLERANCE_NOT_REACHED, "the interior tolerance was not reached: "
-                    "the error is " + format_number(m_largest.error) + " with "
-                    + std::to_string(m_surface.number_of_patches()) + " patches; allow more "
-                    "patches, or a larger interior tolerance, or make the quads smaller");
-      m_surface.refine(m_splits);
-      boundary_code = refit_boundary();
-      if(boundary_code != Error_code::OK && boundary_code != Error_code::TOLERANCE_NOT_REACHED)
-        return boundary_code;
+      record(timer.time());
+      const bool is_met = m_largest.error < m_options.tolerance;
+      const std::vector<Patch_split> splits
+        = is_met ? splits_at_creases() : m_error->violations(m_options.tolerance);
+      if(is_met && (splits.empty() || !can_refine(splits)))
+        return m_boundary_code;
+      code = refine(splits);
+      if(code != Error_code::OK)
+        return code;
     }
+  }
+
+  // Goes on after a fit: refines the surface next to `places`, where someone else has found it to
+  // be too far from the mesh, and fits again.
+  Error_code improve(const std::vector<Point_3>& places)
+  {
+    std::vector<Eigen::Vector3d> points;
+    for(const Point_3& p : places)
+      points.push_back(to_eigen(p));
+    const Error_code code = refine(m_error->splits_at(points));
+    if(code != Error_code::OK)
+      return code;
+    ++m_iteration;
+    return (*this)();
   }
 
 private:
@@ -111,6 +112,37 @@ private:
   {
     m_report.message = message;
     return code;
+  }
+
+  // while the normals beside lines above corners do not agree
+  std::vector<Patch_split> splits_at_creases()
+  {
+    std::vector<Patch_split> result;
+    if(m_rough_patches.empty() || ++m_crease_refinements > maximum_number_of_crease_refinements)
+      return result;
+    for(size_type p : m_rough_patches)
+      result.push_back(Patch_split{p, true, true});
+    return result;
+  }
+
+  bool can_refine(const std::vector<Patch_split>& splits) const
+  {
+    return m_surface.number_of_patches() + 3 * splits.size() <= m_options.maximum_number_of_patches
+           && m_iteration + 1 < maximum_number_of_iterations;
+  }
+
+  // splits patches, and fits the boundary again, which may miss its tolerance
+  Error_code refine(const std::vector<Patch_split>& splits)
+  {
+    if(!can_refine(splits))
+      return fail(Error_code::TOLERANCE_NOT_REACHED, "the interior tolerance was not reached: "
+                  "the error is " + format_number(m_largest.error) + " with "
+                  + std::to_string(m_surface.number_of_patches()) + " patches; allow more "
+                  "patches, or a larger interior tolerance, or make the quads smaller");
+    m_surface.refine(splits);
+    m_boundary_code = Boundary_fitter<Surface, Target, Visitor>(
+      m_surface, m_target, m_boundary_options, m_visitor, m_report)();
+    return m_boundary_code == Error_code::TOLERANCE_NOT_REACHED ? Error_code::OK : m_boundary_code;
   }
 
   size_type number_of_reprojections() const
@@ -145,10 +177,9 @@ private:
         return fail(Error_code::SINGULAR_SYSTEM, "the control points could not be determined");
     }
     m_rough_patches = Crease_smoother<Surface, Target, System>(m_surface, m_target, system)();
-    const Interior_error<Surface, Target> error(
-      m_surface, m_target, samples, m_options.error_metric == Error_metric::PARAMETRIC);
-    m_largest = error.largest();
-    m_splits = error.violations(m_options.tolerance);
+    m_error.reset(new Errors(m_surface, m_target, samples,
+                             m_options.error_metric == Error_metric::PARAMETRIC));
+    m_largest = m_error->largest();
     return Error_code::OK;
   }
 
@@ -176,17 +207,11 @@ private:
     return true;
   }
 
-  Error_code refit_boundary()
-  {
-    return Boundary_fitter<Surface, Target, Visitor>(m_surface, m_target, m_boundary_options,
-                                                     m_visitor, m_report)();
-  }
-
-  void record(size_type iteration, double seconds)
+  void record(double seconds)
   {
     Conversion_report::Iteration entry;
     entry.stage = "fit_interior";
-    entry.iteration = iteration;
+    entry.iteration = m_iteration;
     entry.patches = m_surface.number_of_patches();
     entry.control_points = m_surface.number_of_control_points();
     entry.interior_linf = m_largest.error;
@@ -205,9 +230,12 @@ private:
   Visitor& m_visitor;
   Conversion_report& m_report;
   std::unique_ptr<Samples> m_samples; // at the last refinement level
+  std::unique_ptr<Errors> m_error;    // of the last fit
   Largest_error m_largest;
-  std::vector<typename Surface::Patch_split> m_splits; // of patches that miss the tolerance
   std::vector<size_type> m_rough_patches; // beside lines above corners where the normals differ
+  Error_code m_boundary_code = Error_code::OK; // of the last fit of the boundary
+  size_type m_iteration = 0;
+  int m_crease_refinements = 0;
 };
 
 } // namespace internal

@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
+#include <CGAL/Surface_mesh_spline_conversion/internal/Point_index.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/Interior_samples.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/to_eigen.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/patches/quad_sides.h>
@@ -56,6 +57,9 @@ public:
       continue;
     return m_point;
   }
+
+  // returns where the point found lies
+  const Place& place() const { return m_place; }
 
 private:
   Eigen::Vector3d point(const Place& p) const
@@ -184,7 +188,29 @@ public:
     return result;
   }
 
+  // returns the patches with the points of the surface closest to `points`, and the directions in
+  // which they should be split
+  std::vector<Patch_split> splits_at(const std::vector<Eigen::Vector3d>& points) const
+  {
+    const Point_index index(m_points);
+    std::vector<size_type> patches;
+    for(const Eigen::Vector3d& p : points)
+    {
+      Foot_point foot(m_surface, m_target.layout(), p, place(index.nearest(p, 1).front()));
+      foot();
+      patches.push_back(foot.place().patch);
+    }
+    std::sort(patches.begin(), patches.end());
+    patches.erase(std::unique(patches.begin(), patches.end()), patches.end());
+    std::vector<Patch_split> result;
+    for(size_type p : patches)
+      result.push_back(split(p));
+    return result;
+  }
+
 private:
+  typedef Surface_foot_point<Surface, typename Target::Layout, typename Samples::Place> Foot_point;
+
   // Where the error varies by so much more in one direction than in the other, halving the patch in
   // this direction is tried first.
   static constexpr double directional_ratio = 1.1;
@@ -266,10 +292,7 @@ private:
   // the search starts at sample `i`
   double distance_to_surface(const Eigen::Vector3d& query, size_type i) const
   {
-    const Eigen::Vector3d foot = Surface_foot_point<Surface, typename Target::Layout,
-                                                    typename Samples::Place>(
-      m_surface, m_target.layout(), query, place(i))();
-    return (foot - query).norm();
+    return (Foot_point(m_surface, m_target.layout(), query, place(i))() - query).norm();
   }
 
   void measure_vertices()
