@@ -10,6 +10,8 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <cstddef>
+#include <vector>
 
 using namespace synthetic;
 namespace params = CGAL::parameters;
@@ -148,6 +150,39 @@ void test_local_refinement()
   assert(size <= 0.25 && far > 0 && smallest == 0);
 }
 
+// A fit that has met its tolerance goes on at a place where someone else finds too much.
+void test_improvement()
+{
+  typedef SC::internal::Interior_fitter<T_NURCC_surface, Smooth_target, SC::Default_visitor> Fitter;
+  const Surface shape = hill();
+  const Input input(shape, 8, 8, 1);
+  const Smooth_target target{input, shape};
+  T_NURCC_surface surface(input.layout());
+  SC::Conversion_report report;
+  SC::Default_visitor visitor;
+  const double d = target.diameter();
+  const auto np = params::interior_tolerance(d).boundary_tolerance(d);
+  assert(SC::fit_boundary(surface, target, report, np) == SC::Error_code::OK);
+  report = SC::Conversion_report();
+  Fitter fitter(surface, target, SC::internal::interior_fit_options(target, np),
+                SC::internal::boundary_fit_options(target, np), visitor, report);
+  assert(fitter() == SC::Error_code::OK && surface.number_of_patches() == 64);
+  const std::size_t quad = 3 * 8 + 4;
+  const Point place = surface.position(surface.patch_at(quad, 0.3, 0.6), 0.3, 0.6);
+  assert(fitter.improve({place, place}) == SC::Error_code::OK);
+  const auto is_whole = [&surface](std::size_t q)
+  {
+    const auto o = surface.patch_origin(surface.patch_at(q, 0.3, 0.6));
+    return o.u0 == 0 && o.v0 == 0 && o.u1 == 1 && o.v1 == 1;
+  };
+  assert(surface.is_valid() && !is_whole(quad) && is_whole(0) && is_whole(63));
+  std::vector<std::size_t> iterations;
+  for(const auto& entry : report.iterations)
+    if(entry.stage == "fit_interior")
+      iterations.push_back(entry.iteration);
+  assert((iterations == std::vector<std::size_t>{0, 1}));
+}
+
 struct Reference_surface : Tensor_product_surface
 {
   explicit Reference_surface(const Layout& layout) : Tensor_product_surface(layout, 6, 6, false) {}
@@ -255,6 +290,7 @@ int main()
   test_convergence<Reference_surface>(height_field(0.3));
   test_convergence<T_NURCC_surface>(height_field(0.3));
   test_local_refinement();
+  test_improvement();
   test_reprojection();
   test_corner();
   test_limits();

@@ -114,14 +114,14 @@ int main()
   SMSC::Deviation<K> d = measure(two_faces([](int, int) { return 0; }));
   assert(d.boundary_maximum < rounding && d.corner_maximum < rounding);
   assert(d.interior_maximum < rounding && d.normal_angle_maximum < 1e-10);
-  assert(d.fraction_within == 1 && d.faces_against_mesh == 0);
+  assert(d.fraction_within == 1 && d.faces_against_mesh == 0 && d.interior_violations.empty());
 
   // moved as a whole: everything deviates by that much, and nothing is within less
   d = measure(two_faces([](int, int) { return 0.01; }), 0.009);
   assert(is_close(d.boundary_maximum, 0.01, rounding) && is_close(d.boundary_mean, 0.01, rounding));
   assert(is_close(d.corner_maximum, 0.01, rounding));
   assert(is_close(d.interior_maximum, 0.01, rounding) && is_close(d.interior_mean, 0.01, rounding));
-  assert(d.fraction_within == 0);
+  assert(d.fraction_within == 0 && d.interior_violations.size() == 2); // one a face
 
   // a bump off the grid of samples: the maximum of B_1 B_1 is (4/9)^2 at (1/3,1/3)
   d = measure(two_faces([](int i, int j) { return (i == 1 && j == 1) ? 0.3 : 0; }), 0.01);
@@ -129,6 +129,7 @@ int main()
   assert(is_close(d.interior_maximum, 0.3 * 16 / 81, 1e-8));
   assert(is_close(d.interior_worst.x(), SIZE / 6, 0.01) && is_close(d.interior_worst.y(), SIZE / 3, 0.01));
   assert(0.5 < d.fraction_within && d.fraction_within < 0.95);
+  assert(d.interior_violations.size() == 1 && d.interior_violations[0] == d.interior_worst);
 
   // the boundary curve bulges: its largest distance is 0.2 * 3 * (1/3) (2/3)^2 at 1/3 of the edge
   d = measure(two_faces([](int i, int j) { return (i == 1 && j == 0) ? 0.2 : 0; }));
@@ -146,7 +147,9 @@ int main()
   Measurement spiky;
   spiky.mesh.point(Mesh::Vertex_index((CELLS + 1) * CELLS / 2 + CELLS / 2)) = Point_3(5, 5, 0.7);
   d = spiky(two_faces([](int, int) { return 0; }));
-  assert(is_close(d.interior_maximum, 0.7, 1e-9));
+  assert(is_close(d.interior_maximum, 0.7, 1e-9) && d.interior_violations.empty());
+  d = spiky(two_faces([](int, int) { return 0; }), 0.6);
+  assert(d.interior_violations.size() == 1 && d.interior_violations[0] == Point_3(5, 5, 0.7));
 
   // a mesh that looks the other way
   Measurement flipped;
