@@ -1,6 +1,6 @@
-// The mode of the paper, for comparison: the arc length is linear along each side of a quad, the error
-// is that at equal parameters, and each iteration bisects the boundary edges and quadrisects the
-// patches that are not met, by the rules of `Quadrisection_closure`.
+// The mode of the paper, for comparison: the arc length is linear along each side of a quad, the
+// error is that at equal parameters, and each iteration bisects the boundary edges and
+// quadrisects the patches that are not met, by the rules of `Quadrisection_closure`.
 #ifndef QUALITY_PAPER_MODE_H
 #define QUALITY_PAPER_MODE_H
 
@@ -25,16 +25,17 @@ class Paper_mode
 {
 public:
   Paper_mode(const Input& input, const Layout& layout, const Tolerances& tolerances,
-             std::size_t maximum_number_of_patches)
+             std::size_t maximum_number_of_patches,
+             Standardization standardization = Standardization::QUADRISECTION)
     : m_input(input), m_layout(layout), m_tolerances(tolerances),
       m_maximum_number_of_patches(maximum_number_of_patches),
       m_target(layout, input.network.front(), input.data.mesh,
                CGAL::parameters::use_smooth_correspondence(false)),
-      m_surface(layout)
+      m_surface(layout, standardization)
   {}
 
-  // fits the boundary until the parametric error is met; `visit(iteration, surface)` is called for each
-  // iteration
+  // fits the boundary until the parametric error is met; `visit(iteration, surface)` is called
+  // for each iteration
   template <typename Visitor>
   std::vector<Boundary_iteration> fit_boundary(const Visitor& visit)
   {
@@ -58,24 +59,45 @@ public:
     return fit_boundary([](const Boundary_iteration&, const Surface&) {});
   }
 
-  Outcome operator()()
+  // fits boundary and interior
+  Outcome operator()(SC::Conversion_report& report)
   {
     CGAL::Real_timer timer;
     timer.start();
-    SC::Conversion_report report;
     Outcome outcome;
-    outcome.iterations = fit_boundary().size();
-    const auto np = CGAL::parameters::boundary_tolerance(m_tolerances.xi * m_input.diameter())
-                      .interior_tolerance(m_tolerances.delta * m_input.diameter())
+    report.boundary_tolerance = m_tolerances.xi * m_input.diameter();
+    report.interior_tolerance = m_tolerances.delta * m_input.diameter();
+    add_to_report(fit_boundary(), report);
+    const auto np = CGAL::parameters::boundary_tolerance(report.boundary_tolerance)
+                      .interior_tolerance(report.interior_tolerance)
                       .error_metric(SC::Error_metric::PARAMETRIC)
                       .maximum_number_of_patches(m_maximum_number_of_patches);
     const bool is_interior_met
       = SC::fit_interior(m_surface, m_target, report, np) == SC::Error_code::OK;
     outcome.is_met = m_is_met && is_interior_met;
-    outcome.iterations += report.iterations.size();
+    outcome.iterations = report.iterations.size();
     outcome.seconds = timer.time();
     count(m_surface, m_layout, outcome);
     return outcome;
+  }
+
+  const Surface& surface() const { return m_surface; }
+
+  // adds iterations of the boundary to a report, whose lengths are in model units
+  void add_to_report(const std::vector<Boundary_iteration>& iterations,
+                     SC::Conversion_report& report) const
+  {
+    for(const Boundary_iteration& iteration : iterations)
+    {
+      SC::Conversion_report::Iteration entry;
+      entry.stage = "fit_boundary";
+      entry.iteration = report.iterations.size();
+      entry.patches = iteration.patches;
+      entry.control_points = iteration.control_points;
+      entry.boundary_linf = iteration.parametric * m_input.diameter();
+      entry.boundary_hausdorff = iteration.hausdorff * m_input.diameter();
+      report.iterations.push_back(entry);
+    }
   }
 
 private:

@@ -19,13 +19,15 @@ class Paper_surface : public Surface
   typedef Quadrisection_closure<Kernel::Point_3> Closure;
 
 public:
-  explicit Paper_surface(const Layout& layout) : Surface(layout), m_layout(layout) {}
+  Paper_surface(const Layout& layout, Standardization standardization)
+    : Surface(layout), m_layout(layout), m_standardization(standardization)
+  {}
 
   void refine(const std::vector<std::size_t>& patches)
   {
     change_mesh([&, this](T_mesh& mesh, std::vector<std::int64_t>& units)
     {
-      Closure closure(mesh, units);
+      Closure closure(mesh, units, m_standardization);
       for(std::size_t patch : patches)
         closure.mark(face_of_patch(patch));
       closure.run();
@@ -48,7 +50,7 @@ public:
     {
       using CGAL::Surface_mesh_spline_conversion::internal::to_parameter;
       const std::vector<Place> places = places_of_sides();
-      Closure closure(mesh, units);
+      Closure closure(mesh, units, m_standardization);
       for(auto f : mesh.mesh().faces())
       {
         const Face_origin& origin = mesh.origin(f);
@@ -97,6 +99,7 @@ private:
   }
 
   const Layout& m_layout;
+  Standardization m_standardization;
 };
 
 #endif // QUALITY_PAPER_SURFACE_H

@@ -12,17 +12,20 @@
 #include <vector>
 
 // Refines a T-mesh by the rules of the paper:
-//  - faces of the 0-channel are bisected, on both rows (Fig. 8 b); neighbouring intervals differ at most
-//    by a factor of two;
+//  - faces of the 0-channel are bisected, on both rows (Fig. 8 b); neighbouring intervals differ
+//    at most by a factor of two;
 //  - a patch whose side on the 0-channel is more than twice as long as the shortest edge there is
 //    quadrisected (Fig. 8 c), and so is one with more than four times the area of a neighbour;
 //  - greedily, until the basis is standard: patches in which extensions of T-junctions cross are
-//    quadrisected.
+//    quadrisected (`Standardization::QUADRISECTION`), or left to the closure of the package
+//    (`Standardization::EXTENSION`).
 // Quadrisection alone cannot end in a standard basis unless the whole surface is uniform: at each
 // convex corner of a refined region, two extensions meet in the middle of a refined patch, and the
 // functions do not sum up to one. The paper does not say what it does there; here, the
-// closure of the package extends one of the two by one bay. It also keeps the surroundings of extraordinary
-// points uniform, as the evaluation demands.
+// closure of the package extends one of the two by one bay. It also keeps the surroundings of
+// extraordinary points uniform, as the evaluation demands.
+enum class Standardization { QUADRISECTION, EXTENSION };
+
 template <typename Point>
 class Quadrisection_closure
 {
@@ -33,8 +36,9 @@ class Quadrisection_closure
   typedef typename Mesh::Face Face;
 
 public:
-  Quadrisection_closure(Mesh& mesh, std::vector<std::int64_t>& units)
-    : m_mesh(mesh), m_units(units)
+  Quadrisection_closure(Mesh& mesh, std::vector<std::int64_t>& units,
+                        Standardization standardization)
+    : m_mesh(mesh), m_units(units), m_standardization(standardization)
   {}
 
   // marks a patch to be quadrisected, or a face of the 0-channel to be bisected
@@ -105,7 +109,8 @@ private:
     m_mesh.update();
   }
 
-  // a face of the 0-channel has the knots of the patches beside it, and is graded along the boundary
+  // a face of the 0-channel has the knots of the patches beside it, and is graded along the
+  // boundary
   void mark_channels()
   {
     for(Halfedge h : m_mesh.mesh().halfedges())
@@ -135,7 +140,8 @@ private:
   void mark_patches()
   {
     for(Halfedge h : m_mesh.mesh().halfedges())
-      if(!m_mesh.is_border(h) && !m_mesh.is_border(m_mesh.opposite(h)) && m_mesh.is_patch(m_mesh.face(h))
+      if(!m_mesh.is_border(h) && !m_mesh.is_border(m_mesh.opposite(h))
+         && m_mesh.is_patch(m_mesh.face(h))
          && is_channel(m_mesh.face(m_mesh.opposite(h))) && size(h) > 0
          && size(m_mesh.face(h), m_mesh.side(h) & 1) > 2 * size(h))
         mark(m_mesh.face(h));
@@ -157,6 +163,8 @@ private:
 
   void mark_crossed_patches()
   {
+    if(m_standardization == Standardization::EXTENSION)
+      return;
     std::vector<unsigned char> axes(m_mesh.mesh().num_faces(), 0);
     Recorder recorder{axes};
     for(Vertex v : m_mesh.mesh().vertices())
@@ -173,6 +181,7 @@ private:
 
   Mesh& m_mesh;
   std::vector<std::int64_t>& m_units;
+  Standardization m_standardization;
   std::set<Face> m_marks;
 };
 

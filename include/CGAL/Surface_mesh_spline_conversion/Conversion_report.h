@@ -132,6 +132,8 @@ struct Conversion_report
     double boundary_hausdorff = not_measured;///< largest distance from the curves
     double interior_linf = not_measured;     ///< largest deviation from the mesh
     double seconds = 0;                      ///< duration of the iteration
+    size_type component = 0;                 ///< number of the connected component, from 0; set
+                                             ///< when the whole conversion has ended
   };
 
   /// describes the time spent in a stage.

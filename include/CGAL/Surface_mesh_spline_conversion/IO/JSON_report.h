@@ -133,6 +133,7 @@ inline void write_JSON_course(JSON_writer& json, const Conversion_report& report
     json.member("boundary_hausdorff", record.boundary_hausdorff);
     json.member("interior_linf", record.interior_linf);
     json.member("seconds", record.seconds);
+    json.member("component", record.component);
     json.close('}');
   }
   json.close(']');

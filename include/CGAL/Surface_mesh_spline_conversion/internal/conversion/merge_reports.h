@@ -115,6 +115,18 @@ inline void merge_map(const Conversion_report::Map& part, Conversion_report::Map
   whole.relative_number_of_quads = (whole_weight + part_weight) / wanted;
 }
 
+// adds the course of a component after those of the components before it
+inline void merge_iterations(const Conversion_report& part, Conversion_report& whole)
+{
+  const std::size_t component
+    = whole.iterations.empty() ? 0 : whole.iterations.back().component + 1;
+  for(Conversion_report::Iteration iteration : part.iterations)
+  {
+    iteration.component = component;
+    whole.iterations.push_back(iteration);
+  }
+}
+
 // Adds the report of a connected component to that of the whole: counts and times are summed up,
 // deviations are the largest, means are weighted with the numbers of patches.
 inline void merge_reports(const Conversion_report& part, Conversion_report& whole)
@@ -128,7 +140,7 @@ inline void merge_reports(const Conversion_report& part, Conversion_report& whol
   merge_counts(part.counts, whole.counts);
   whole.smoothness.max_normal_angle_degrees
     = larger(whole.smoothness.max_normal_angle_degrees, part.smoothness.max_normal_angle_degrees);
-  whole.iterations.insert(whole.iterations.end(), part.iterations.begin(), part.iterations.end());
+  merge_iterations(part, whole);
   whole.warnings.insert(whole.warnings.end(), part.warnings.begin(), part.warnings.end());
   for(const Conversion_report::Stage& stage : part.stages)
     whole.add_time(stage.name, stage.seconds);
