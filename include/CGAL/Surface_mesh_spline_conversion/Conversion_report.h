@@ -65,6 +65,8 @@ struct Conversion_report
     double mean_deviation = not_measured;           ///< mean distance over the boundary samples
     double certified_bound = not_measured;          ///< upper bound, with an estimated remainder
     double max_parametric_deviation = not_measured; ///< distance at equal chain parameter
+    double max_normal_part = not_measured;          ///< its part at right angles to the curve
+    double max_tangential_part = not_measured;      ///< its part along the curve, which is no gap
     size_type worst_curve = 0;                      ///< chain of the largest deviation
     double worst_parameter = not_measured;          ///< arc length of the largest deviation
     double max_corner_error = not_measured;         ///< distance at the corners

@@ -45,6 +45,8 @@ inline void write_JSON_deviations(JSON_writer& json, const Conversion_report& re
   json.member("mean_deviation", report.boundary.mean_deviation);
   json.member("certified_bound", report.boundary.certified_bound);
   json.member("max_parametric_deviation", report.boundary.max_parametric_deviation);
+  json.member("max_normal_part", report.boundary.max_normal_part);
+  json.member("max_tangential_part", report.boundary.max_tangential_part);
   json.open("worst", '{');
   json.member("curve", report.boundary.worst_curve);
   json.member("t", report.boundary.worst_parameter);

@@ -53,6 +53,8 @@ inline void merge_boundary(const Conversion_report::Boundary& part,
   whole.certified_bound = larger(whole.certified_bound, part.certified_bound);
   whole.max_parametric_deviation
     = larger(whole.max_parametric_deviation, part.max_parametric_deviation);
+  whole.max_normal_part = larger(whole.max_normal_part, part.max_normal_part);
+  whole.max_tangential_part = larger(whole.max_tangential_part, part.max_tangential_part);
   whole.max_corner_error = larger(whole.max_corner_error, part.max_corner_error);
 }
 
