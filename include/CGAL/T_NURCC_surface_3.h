@@ -364,6 +364,19 @@ public:
 
   /// @}
 
+protected:
+  // for derived classes that refine by other rules: `change(mesh, units)` splits faces of the
+  // T-mesh, restores what `Refinement_closure` asks for, and leaves the mesh up to date; `units`
+  // are those of the closure
+  template <typename Change>
+  void change_mesh(const Change& change);
+
+  // returns the face of the T-mesh that is patch `i`
+  typename T_mesh::Face face_of_patch(size_type i) const
+  {
+    return typename T_mesh::Face(typename Control_mesh::size_type(m_basis.patch(i).face));
+  }
+
 private:
   typedef typename T_mesh::Vertex Vertex;
   typedef typename T_mesh::Halfedge Halfedge;

@@ -156,6 +156,8 @@ void test_shape(bool is_closed)
         error = (std::max)(error, std::abs(p.norm() - 1));
         assert(std::abs(2 * p[0] - 2 * p[1] + p[2]) < 1e-13);
       }
+    for(const Eigen::Vector3d& p : fit.polygon)
+      assert(std::abs(2 * p[0] - 2 * p[1] + p[2]) < 1e-13);
     assert(error <= fit.worst().bound && fit.worst().bound < 1.1 * error);
     assert(error < start.worst().sampled);
     assert(last == 0 || last / error > 8);
@@ -202,6 +204,28 @@ void test_balance()
   }
 }
 
+// the unit tangent of the boundary of the target, by a difference quotient
+synthetic::Vector tangent(const synthetic::Target& target, std::size_t quad, int side, double t)
+{
+  const double h = 1e-4;
+  const auto before = internal::from_side<double>(side, t - h, 0.);
+  const auto after = internal::from_side<double>(side, t + h, 0.);
+  const synthetic::Vector d
+    = target.point(quad, after[0], after[1]) - target.point(quad, before[0], before[1]);
+  return d / std::sqrt(d.squared_length());
+}
+
+// checks the parts of an error against the largest ones of the report, which are those at samples
+void check_parts(const synthetic::Vector& error, const synthetic::Vector& tangent,
+                 const SC::Conversion_report::Boundary& boundary)
+{
+  const double allowance = 0.05 * boundary.max_parametric_deviation;
+  const double along = error * tangent;
+  assert(std::abs(along) <= boundary.max_tangential_part + allowance);
+  assert(std::sqrt((error - along * tangent).squared_length())
+         <= boundary.max_normal_part + allowance);
+}
+
 void test_surface(const synthetic::Surface& shape, double jitter, SC::Error_metric metric)
 {
   const int m = 8, n = 5;
@@ -226,10 +250,18 @@ void test_surface(const synthetic::Surface& shape, double jitter, SC::Error_metr
         const double parametric = std::sqrt(squared_distance(p, target.point(q, uv[0], uv[1])));
         assert(parametric <= report.boundary.max_parametric_deviation * 1.05);
         const std::size_t chain = input.layout().boundary_side(q, i).chain;
+        check_parts(p - target.point(q, uv[0], uv[1]),
+                    tangent(target, q, i, (std::min)((std::max)(k / 40., 1e-3), 1 - 1e-3)),
+                    report.boundary);
         worst = (std::max)(worst, metric == SC::Error_metric::PARAMETRIC
                                     ? parametric : target.network().project(chain, p).distance);
       }
   assert(worst > 0 && worst <= report.boundary.certified_bound);
+  const SC::Conversion_report::Boundary& b = report.boundary;
+  assert(b.max_normal_part <= b.max_parametric_deviation
+         && b.max_tangential_part <= b.max_parametric_deviation);
+  assert(b.max_parametric_deviation
+         <= 1.05 * std::hypot(b.max_normal_part, b.max_tangential_part));
 }
 
 int main()

@@ -2,6 +2,7 @@
 
 #include <CGAL/Surface_mesh_spline_conversion/IO/JSON_report.h>
 #include <CGAL/Surface_mesh_spline_conversion/IO/conversion_history.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/conversion/merge_reports.h>
 
 #include <boost/property_tree/json_parser.hpp>
 
@@ -77,9 +78,9 @@ void test_history(const SC::Conversion_report& report)
   for(std::size_t lines = 0; lines < 4; ++lines)
   {
     assert(std::getline(stream, line));
-    assert(std::count(line.begin(), line.end(), ',') == 7);
+    assert(std::count(line.begin(), line.end(), ',') == 8);
   }
-  assert(line == "fit_boundary,2,300,0,1.0000000000000001e-05,,,0");
+  assert(line == "fit_boundary,2,300,0,1.0000000000000001e-05,,,0,0");
   assert(!std::getline(stream, line));
 }
 
@@ -93,6 +94,35 @@ void test_chart(const SC::Conversion_report& report)
   for(std::size_t i = text.find("<circle"); i != std::string::npos; i = text.find("<circle", i + 1))
     ++circles;
   assert(circles == 3);
+}
+
+// the courses of two components are told apart, and no line joins them
+void test_components()
+{
+  SC::Conversion_report whole, part;
+  part.iterations.resize(2);
+  part.iterations[0].boundary_linf = 1;
+  part.iterations[1].boundary_linf = 0.1;
+  SC::internal::merge_reports(part, whole);
+  SC::internal::merge_reports(part, whole);
+  assert(whole.iterations.size() == 4);
+  for(std::size_t i = 0; i < 4; ++i)
+    assert(whole.iterations[i].component == i / 2);
+
+  std::stringstream stream;
+  SC::internal::History_chart(whole).write(stream);
+  const std::string text = stream.str();
+  assert(text.find("component 2") != std::string::npos);
+  const std::string line = "stroke=\"#1f6fb4\" points=\"";
+  std::size_t lines = 0;
+  for(std::size_t i = text.find(line); i != std::string::npos; i = text.find(line, i + 1))
+  {
+    const std::string points = text.substr(i + line.size(), text.find('"', i + line.size())
+                                                              - i - line.size());
+    assert(std::count(points.begin(), points.end(), ',') == 2);
+    ++lines;
+  }
+  assert(lines == 2);
 }
 
 void test_empty_report()
@@ -115,6 +145,7 @@ int main()
   test_JSON(report);
   test_history(report);
   test_chart(report);
+  test_components();
   test_empty_report();
   assert(!CGAL::IO::write_JSON("no/such/folder/report.json", report));
   return EXIT_SUCCESS;

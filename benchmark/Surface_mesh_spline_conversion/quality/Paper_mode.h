@@ -1,14 +1,13 @@
-// The mode of the paper, for comparison: the arc length is linear along each side of a quad, the error
-// is that at equal parameters, and each iteration quadrisects the boundary patches that are not met.
-// The paper goes on quadrisecting until the basis is standard; here, T-junctions are extended as in
-// the default mode, which takes fewer patches.
+// The mode of the paper, for comparison: the arc length is linear along each side of a quad, the
+// error is that at equal parameters, and each iteration bisects the boundary edges and
+// quadrisects the patches that are not met, by the rules of `Quadrisection_closure`.
 #ifndef QUALITY_PAPER_MODE_H
 #define QUALITY_PAPER_MODE_H
 
+#include "Paper_surface.h"
 #include "surface_stages.h"
 
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/plan_bisection.h>
-#include <CGAL/Surface_mesh_spline_conversion/internal/patches/quad_sides.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/to_eigen.h>
 
 #include <algorithm>
@@ -19,55 +18,86 @@ struct Boundary_iteration
 {
   std::size_t patches;
   double parametric, hausdorff;
+  std::size_t control_points;
 };
 
 class Paper_mode
 {
 public:
   Paper_mode(const Input& input, const Layout& layout, const Tolerances& tolerances,
-             std::size_t maximum_number_of_patches)
+             std::size_t maximum_number_of_patches,
+             Standardization standardization = Standardization::QUADRISECTION)
     : m_input(input), m_layout(layout), m_tolerances(tolerances),
       m_maximum_number_of_patches(maximum_number_of_patches),
       m_target(layout, input.network.front(), input.data.mesh,
                CGAL::parameters::use_smooth_correspondence(false)),
-      m_surface(layout)
+      m_surface(layout, standardization)
   {}
 
-  // fits the boundary until the parametric error is met, and tells of each iteration
-  std::vector<Boundary_iteration> fit_boundary()
+  // fits the boundary until the parametric error is met; `visit(iteration, surface)` is called
+  // for each iteration
+  template <typename Visitor>
+  std::vector<Boundary_iteration> fit_boundary(const Visitor& visit)
   {
-    const std::size_t maximum_number_of_iterations = 14;
+    const std::size_t maximum_number_of_iterations = 16;
     std::vector<Boundary_iteration> result;
     for(std::size_t i = 0; i < maximum_number_of_iterations; ++i)
     {
-      std::vector<std::size_t> patches;
-      result.push_back(fit(patches));
-      m_is_met = patches.empty();
+      std::vector<Surface::Boundary_span> spans;
+      result.push_back(fit(spans));
+      visit(result.back(), m_surface);
+      m_is_met = spans.empty();
       if(m_is_met || m_surface.number_of_patches() > m_maximum_number_of_patches)
         break;
-      m_surface.refine(patches);
+      m_surface.refine_boundary(spans);
     }
     return result;
   }
 
-  Outcome operator()()
+  std::vector<Boundary_iteration> fit_boundary()
+  {
+    return fit_boundary([](const Boundary_iteration&, const Surface&) {});
+  }
+
+  // fits boundary and interior
+  Outcome operator()(SC::Conversion_report& report)
   {
     CGAL::Real_timer timer;
     timer.start();
-    SC::Conversion_report report;
     Outcome outcome;
-    outcome.iterations = fit_boundary().size();
-    const auto np = CGAL::parameters::boundary_tolerance(m_tolerances.xi * m_input.diameter())
-                      .interior_tolerance(m_tolerances.delta * m_input.diameter())
+    report.boundary_tolerance = m_tolerances.xi * m_input.diameter();
+    report.interior_tolerance = m_tolerances.delta * m_input.diameter();
+    add_to_report(fit_boundary(), report);
+    const auto np = CGAL::parameters::boundary_tolerance(report.boundary_tolerance)
+                      .interior_tolerance(report.interior_tolerance)
                       .error_metric(SC::Error_metric::PARAMETRIC)
                       .maximum_number_of_patches(m_maximum_number_of_patches);
     const bool is_interior_met
       = SC::fit_interior(m_surface, m_target, report, np) == SC::Error_code::OK;
     outcome.is_met = m_is_met && is_interior_met;
-    outcome.iterations += report.iterations.size();
+    outcome.iterations = report.iterations.size();
     outcome.seconds = timer.time();
     count(m_surface, m_layout, outcome);
     return outcome;
+  }
+
+  const Surface& surface() const { return m_surface; }
+
+  // adds iterations of the boundary to a report, whose lengths are in model units
+  void add_to_report(const std::vector<Boundary_iteration>& iterations,
+                     SC::Conversion_report& report) const
+  {
+    for(const Boundary_iteration& iteration : iterations)
+    {
+      SC::Conversion_report::Iteration entry;
+      entry.stage = "fit_boundary";
+      entry.iteration = report.iterations.size();
+      entry.patches = iteration.patches;
+      entry.control_points = iteration.control_points;
+      entry.boundary_linf = iteration.parametric * m_input.diameter();
+      entry.boundary_hausdorff = iteration.hausdorff * m_input.diameter();
+      report.iterations.push_back(entry);
+    }
   }
 
 private:
@@ -87,11 +117,12 @@ private:
     }
   };
 
-  // fits all chains, and returns the patches at the spans with a too large error
-  Boundary_iteration fit(std::vector<std::size_t>& patches)
+  // fits all chains, and finds the spans with a too large error
+  Boundary_iteration fit(std::vector<Surface::Boundary_span>& spans)
   {
     const double d = m_input.diameter();
-    Boundary_iteration result{m_surface.number_of_patches(), 0, 0};
+    Boundary_iteration result{m_surface.number_of_patches(), 0, 0,
+                              m_surface.number_of_control_points()};
     for(std::size_t c = 0; c < m_target.number_of_chains(); ++c)
     {
       const SC::internal::Chain_knots knots = chain_knots(c);
@@ -108,7 +139,7 @@ private:
         result.parametric = (std::max)(result.parametric, fit.errors[span].sampled / d);
         result.hausdorff = (std::max)(result.hausdorff, distance(c, basis, fit, span) / d);
         if(fit.errors[span].sampled > m_tolerances.xi * d)
-          patches.push_back(patch_at(c, (basis.span_begin(span) + basis.span_end(span)) / 2));
+          spans.push_back({c, basis.span_begin(span), basis.span_end(span)});
       }
     }
     return result;
@@ -144,22 +175,12 @@ private:
     return result;
   }
 
-  std::size_t patch_at(std::size_t chain, double x) const
-  {
-    const auto sides = m_layout.chain_sides(chain);
-    const double n = static_cast<double>(sides.size());
-    x -= n * std::floor(x / n);
-    const std::size_t k = (std::min)(static_cast<std::size_t>(x), sides.size() - 1);
-    const auto uv = SC::internal::from_side<double>(sides[k].second, x - double(k), 0.);
-    return m_surface.patch_at(sides[k].first, uv[0], uv[1]);
-  }
-
   const Input& m_input;
   const Layout& m_layout;
   Tolerances m_tolerances;
   std::size_t m_maximum_number_of_patches;
   Target m_target;
-  Surface m_surface;
+  Paper_surface m_surface;
   bool m_is_met = false;
 };
 

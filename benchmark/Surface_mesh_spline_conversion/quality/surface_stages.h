@@ -5,6 +5,7 @@
 
 #include <CGAL/Real_timer.h>
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh/IO.h>
 #include <CGAL/T_NURCC_surface_3.h>
 #include <CGAL/property_map.h>
 
@@ -17,6 +18,7 @@
 
 #include <cstddef>
 #include <cstdio>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -29,15 +31,34 @@ typedef SC::Quad_layout<Kernel> Layout;
 typedef SC::Transfinite_patch_network_3<Kernel, Case::Triangle_mesh, Case::Curve_traits> Target;
 typedef CGAL::T_NURCC_surface_3<Kernel> Surface;
 
-// A case with its network; not to be copied, as the network refers to the mesh.
+// A case, or a closed mesh, with its network; not to be copied, as the network refers to the mesh.
 struct Input
 {
+  Input() {}
+
+  // `path` is a case or the file of a closed mesh
   explicit Input(const std::string& path)
   {
-    is_valid = CGAL::IO::read_case(path, data, message);
-    if(is_valid)
-      network.emplace_back(data.mesh, data.halfedge_curve_map(), data.traits,
-                           CGAL::parameters::vertex_is_constrained_map(data.vertex_is_corner_map()));
+    if(std::filesystem::path(path).extension() == ".off")
+    {
+      is_valid = CGAL::IO::read_polygon_mesh(path, data.mesh);
+      message = is_valid ? "" : path + " cannot be read";
+      if(is_valid)
+        network.emplace_back(data.mesh);
+    }
+    else
+    {
+      is_valid = CGAL::IO::read_case(path, data, message);
+      if(is_valid)
+        network.emplace_back(
+          data.mesh, data.halfedge_curve_map(), data.traits,
+          CGAL::parameters::vertex_is_constrained_map(data.vertex_is_corner_map()));
+    }
+    if(is_valid && network.front().error() != SC::Error_code::OK)
+    {
+      is_valid = false;
+      message = network.front().message();
+    }
   }
 
   Input(const Input&) = delete;
@@ -58,7 +79,7 @@ struct Input
   Case data;
   std::vector<Network> network;
   std::string message;
-  bool is_valid;
+  bool is_valid = false;
 };
 
 // tolerances relative to the diameter
@@ -70,7 +91,8 @@ struct Tolerances
 // what a mode costs
 struct Outcome
 {
-  std::size_t layout_quads = 0, patches = 0, control_points = 0, iterations = 0;
+  std::size_t layout_quads = 0, patches = 0, control_points = 0, bezier_elements = 0,
+    iterations = 0;
   bool is_met = false;
   double seconds = 0;
 
@@ -82,17 +104,22 @@ inline void count(const Surface& surface, const Layout& layout, Outcome& outcome
   outcome.layout_quads = layout.number_of_quads();
   outcome.patches = surface.number_of_patches();
   outcome.control_points = surface.number_of_control_points();
+  outcome.bezier_elements = surface.bezier_elements().size();
 }
 
+// fits `surface`, as made from the layout, in the default mode
 inline Outcome run_default_mode(const Input& input, const Layout& layout,
-                                const Tolerances& tolerances, SC::Conversion_report& report)
+                                const Tolerances& tolerances, SC::Conversion_report& report,
+                                Surface& surface)
 {
   CGAL::Real_timer timer;
   timer.start();
   const Target target(layout, input.network.front(), input.data.mesh);
-  Surface surface(layout);
-  const auto np = CGAL::parameters::boundary_tolerance(tolerances.xi * input.diameter())
-                    .interior_tolerance(tolerances.delta * input.diameter());
+  surface = Surface(layout);
+  report.boundary_tolerance = tolerances.xi * input.diameter();
+  report.interior_tolerance = tolerances.delta * input.diameter();
+  const auto np = CGAL::parameters::boundary_tolerance(report.boundary_tolerance)
+                    .interior_tolerance(report.interior_tolerance);
   Outcome outcome;
   outcome.is_met = SC::fit_boundary(surface, target, report, np) == SC::Error_code::OK
                    && SC::fit_interior(surface, target, report, np) == SC::Error_code::OK;

@@ -84,14 +84,16 @@ inline bool write_report(const Options& options, Report& report)
       || check(CGAL::IO::write_JSON(options.report, report), options.report);
 }
 
+// writes the table and the chart of the iterations, or the chart alone if its name was given
 inline bool write_history(const Options& options, const Report& report)
 {
   if(options.history.empty())
     return true;
-  const std::string chart
-    = std::filesystem::path(options.history).replace_extension(".svg").string();
+  const std::filesystem::path path(options.history);
+  const std::string chart = std::filesystem::path(path).replace_extension(".svg").string();
   const bool is_table_written
-    = check(CGAL::IO::write_history_CSV(options.history, report), options.history);
+    = path.extension() == ".svg"
+   || check(CGAL::IO::write_history_CSV(options.history, report), options.history);
   return check(CGAL::IO::write_history_SVG(chart, report), chart) && is_table_written;
 }
 

@@ -65,6 +65,8 @@ struct Conversion_report
     double mean_deviation = not_measured;           ///< mean distance over the boundary samples
     double certified_bound = not_measured;          ///< upper bound, with an estimated remainder
     double max_parametric_deviation = not_measured; ///< distance at equal chain parameter
+    double max_normal_part = not_measured;          ///< its part at right angles to the curve
+    double max_tangential_part = not_measured;      ///< its part along the curve, which is no gap
     size_type worst_curve = 0;                      ///< chain of the largest deviation
     double worst_parameter = not_measured;          ///< arc length of the largest deviation
     double max_corner_error = not_measured;         ///< distance at the corners
@@ -132,6 +134,8 @@ struct Conversion_report
     double boundary_hausdorff = not_measured;///< largest distance from the curves
     double interior_linf = not_measured;     ///< largest deviation from the mesh
     double seconds = 0;                      ///< duration of the iteration
+    size_type component = 0;                 ///< number of the connected component, from 0; set
+                                             ///< when the whole conversion has ended
   };
 
   /// describes the time spent in a stage.

@@ -45,6 +45,8 @@ inline void write_JSON_deviations(JSON_writer& json, const Conversion_report& re
   json.member("mean_deviation", report.boundary.mean_deviation);
   json.member("certified_bound", report.boundary.certified_bound);
   json.member("max_parametric_deviation", report.boundary.max_parametric_deviation);
+  json.member("max_normal_part", report.boundary.max_normal_part);
+  json.member("max_tangential_part", report.boundary.max_tangential_part);
   json.open("worst", '{');
   json.member("curve", report.boundary.worst_curve);
   json.member("t", report.boundary.worst_parameter);
@@ -133,6 +135,7 @@ inline void write_JSON_course(JSON_writer& json, const Conversion_report& report
     json.member("boundary_hausdorff", record.boundary_hausdorff);
     json.member("interior_linf", record.interior_linf);
     json.member("seconds", record.seconds);
+    json.member("component", record.component);
     json.close('}');
   }
   json.close(']');

@@ -35,14 +35,14 @@ inline bool write_history_CSV(std::ostream& out,
 {
   using Surface_mesh_spline_conversion::internal::number_to_string;
   out << "stage,iteration,patches,control_points,"
-         "boundary_linf,boundary_hausdorff,interior_linf,seconds\n";
+         "boundary_linf,boundary_hausdorff,interior_linf,seconds,component\n";
   for(const auto& record : report.iterations)
     out << record.stage << ',' << std::to_string(record.iteration) << ','
         << std::to_string(record.patches) << ',' << std::to_string(record.control_points) << ','
         << number_to_string(record.boundary_linf, "") << ','
         << number_to_string(record.boundary_hausdorff, "") << ','
         << number_to_string(record.interior_linf, "") << ','
-        << number_to_string(record.seconds, "") << '\n';
+        << number_to_string(record.seconds, "") << ',' << std::to_string(record.component) << '\n';
   return out.good();
 }
 
@@ -65,7 +65,8 @@ inline bool write_history_CSV(const std::string& filename,
 
 draws the iterations of `report` as a chart in the form of the figures of the paper: the errors on
 a logarithmic axis on the left, the number of patches on the right, and a dashed line for each
-tolerance.
+tolerance. The courses of several connected components follow each other, with a vertical line
+between them.
 
 \returns `true` if the file was written
 */

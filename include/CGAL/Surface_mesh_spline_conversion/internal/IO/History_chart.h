@@ -55,6 +55,7 @@ public:
         << number(height) << "\" font-family=\"sans-serif\" font-size=\"12\">\n"
         << "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n";
     write_axes(out);
+    write_components(out);
     write_tolerance(out, m_report.boundary_tolerance, "xi", "#1f6fb4");
     write_tolerance(out, m_report.interior_tolerance, "delta", "#c0392b");
     write_curve(out, &Iteration::boundary_linf, "#1f6fb4");
@@ -97,6 +98,12 @@ private:
     return bottom - (bottom - top) * static_cast<double>(patches) / m_maximum_patches;
   }
 
+  // does another component begin with the iteration?
+  bool begins_component(std::size_t i) const
+  {
+    return i > 0 && m_report.iterations[i].component != m_report.iterations[i - 1].component;
+  }
+
   // a pixel position with one decimal, independent of the locale
   static std::string number(double value)
   {
@@ -132,12 +139,26 @@ private:
     const std::size_t step = 1 + m_report.iterations.size() / 20;
     for(std::size_t i = 0; i < m_report.iterations.size(); i += step)
       write_text(out, x_of(i), bottom + 18, std::to_string(i), "text-anchor=\"middle\"");
-    write_text(out, right + 8, top + 4, number(m_maximum_patches), "");
-    write_text(out, right + 8, bottom + 4, "0", "");
+    for(double share : {0., 0.5, 1.})
+      write_text(out, right + 8, bottom + 4 - share * (bottom - top),
+                 number(std::floor(share * m_maximum_patches)), "");
     out << "<rect x=\"" << number(left) << "\" y=\"" << number(top) << "\" width=\""
         << number(right - left) << "\" height=\"" << number(bottom - top)
         << "\" fill=\"none\" stroke=\"black\"/>\n";
     write_text(out, (left + right) / 2, bottom + 38, "iteration", "text-anchor=\"middle\"");
+  }
+
+  void write_components(std::ostream& out) const
+  {
+    for(std::size_t i = 0; i < m_report.iterations.size(); ++i)
+      if(begins_component(i))
+      {
+        const double x = (x_of(i - 1) + x_of(i)) / 2;
+        write_line(out, x, top, x, bottom, "stroke=\"#888888\" stroke-dasharray=\"2 3\"");
+        write_text(out, x + 4, bottom - 6,
+                   "component " + std::to_string(m_report.iterations[i].component + 1),
+                   "fill=\"#888888\"");
+      }
   }
 
   void write_tolerance(std::ostream& out, double tolerance, const std::string& name,
@@ -155,6 +176,8 @@ private:
     std::string points;
     for(std::size_t i = 0; i < m_report.iterations.size(); ++i)
     {
+      if(begins_component(i))
+        end_polyline(out, points, color);
       const double value = m_report.iterations[i].*error;
       if(!std::isfinite(value) || value <= 0)
         continue;
@@ -162,25 +185,33 @@ private:
       points += x + "," + y + " ";
       out << "<circle cx=\"" << x << "\" cy=\"" << y << "\" r=\"3\" fill=\"" << color << "\"/>\n";
     }
-    write_polyline(out, points, color);
+    end_polyline(out, points, color);
   }
 
   void write_patches(std::ostream& out) const
   {
     std::string points;
     for(std::size_t i = 0; i < m_report.iterations.size(); ++i)
+    {
+      if(begins_component(i))
+        end_polyline(out, points, "black");
       points += number(x_of(i)) + "," + number(y_of_patches(m_report.iterations[i].patches)) + " ";
-    write_polyline(out, points, "black");
+    }
+    end_polyline(out, points, "black");
   }
 
-  static void write_polyline(std::ostream& out, const std::string& points,
-                             const std::string& color)
+  // writes the polyline through the points, and forgets them
+  static void end_polyline(std::ostream& out, std::string& points, const std::string& color)
   {
     out << "<polyline fill=\"none\" stroke=\"" << color << "\" points=\"" << points << "\"/>\n";
+    points.clear();
   }
 
   static void write_legend(std::ostream& out)
   {
+    write_text(out, 0, 0, "error (model units)",
+               "text-anchor=\"middle\" transform=\"translate(16 "
+                 + number((top + bottom) / 2) + ") rotate(-90)\"");
     write_text(out, left, top - 14, "boundary, parametric", "fill=\"#1f6fb4\"");
     write_text(out, left + 160, top - 14, "boundary, distance", "fill=\"#27ae60\"");
     write_text(out, left + 310, top - 14, "interior", "fill=\"#c0392b\"");

@@ -53,6 +53,8 @@ inline void merge_boundary(const Conversion_report::Boundary& part,
   whole.certified_bound = larger(whole.certified_bound, part.certified_bound);
   whole.max_parametric_deviation
     = larger(whole.max_parametric_deviation, part.max_parametric_deviation);
+  whole.max_normal_part = larger(whole.max_normal_part, part.max_normal_part);
+  whole.max_tangential_part = larger(whole.max_tangential_part, part.max_tangential_part);
   whole.max_corner_error = larger(whole.max_corner_error, part.max_corner_error);
 }
 
@@ -115,6 +117,18 @@ inline void merge_map(const Conversion_report::Map& part, Conversion_report::Map
   whole.relative_number_of_quads = (whole_weight + part_weight) / wanted;
 }
 
+// adds the course of a component after those of the components before it
+inline void merge_iterations(const Conversion_report& part, Conversion_report& whole)
+{
+  const std::size_t component
+    = whole.iterations.empty() ? 0 : whole.iterations.back().component + 1;
+  for(Conversion_report::Iteration iteration : part.iterations)
+  {
+    iteration.component = component;
+    whole.iterations.push_back(iteration);
+  }
+}
+
 // Adds the report of a connected component to that of the whole: counts and times are summed up,
 // deviations are the largest, means are weighted with the numbers of patches.
 inline void merge_reports(const Conversion_report& part, Conversion_report& whole)
@@ -128,7 +142,7 @@ inline void merge_reports(const Conversion_report& part, Conversion_report& whol
   merge_counts(part.counts, whole.counts);
   whole.smoothness.max_normal_angle_degrees
     = larger(whole.smoothness.max_normal_angle_degrees, part.smoothness.max_normal_angle_degrees);
-  whole.iterations.insert(whole.iterations.end(), part.iterations.begin(), part.iterations.end());
+  merge_iterations(part, whole);
   whole.warnings.insert(whole.warnings.end(), part.warnings.begin(), part.warnings.end());
   for(const Conversion_report::Stage& stage : part.stages)
     whole.add_time(stage.name, stage.seconds);

@@ -145,6 +145,7 @@ private:
   {
     m_worst = Span_error();
     m_parametric_deviation = 0;
+    m_parametric_parts = Error_parts();
     m_is_met.assign(m_curves.size(), true);
     for(size_type c = 0; c < m_curves.size(); ++c)
     {
@@ -159,9 +160,7 @@ private:
         return false;
       }
       set_control_points(c, result.polygon);
-      for(const Span_error& error : errors_at_equal_parameters(chain_knots.basis(), result.polygon,
-                                                               m_curves[c]))
-        m_parametric_deviation = (std::max)(m_parametric_deviation, error.sampled);
+      measure_parametric_deviation(c, chain_knots.basis(), result.polygon);
       const Span_error worst = result.worst();
       m_is_met[c] = worst.bound < m_options.tolerance;
       if(worst.bound > m_worst.bound)
@@ -171,6 +170,19 @@ private:
       }
     }
     return true;
+  }
+
+  void measure_parametric_deviation(size_type chain, const Cubic_spline_basis& basis,
+                                    const Control_polygon& polygon)
+  {
+    for(size_type span = 0; span < basis.number_of_spans(); ++span)
+    {
+      const double begin = basis.span_begin(span), length = basis.span_end(span) - begin;
+      const Span_samples samples = sample_at_equal_parameters(begin, length, m_curves[chain]);
+      m_parametric_deviation = (std::max)(m_parametric_deviation,
+                                          spline_error(basis, polygon, samples, span).sampled);
+      m_parametric_parts.add(error_parts(basis, polygon, samples, span));
+    }
   }
 
   void set_control_points(size_type chain, const Control_polygon& polygon)
@@ -248,6 +260,8 @@ private:
     Conversion_report::Boundary& b = m_report.boundary;
     b.certified_bound = m_worst.bound;
     b.max_parametric_deviation = m_parametric_deviation;
+    b.max_normal_part = m_parametric_parts.normal;
+    b.max_tangential_part = m_parametric_parts.tangential;
     b.worst_curve = m_worst_chain;
     b.worst_parameter
       = CGAL::to_double(m_target.arc_length(m_worst_chain, FT(m_worst.worst)));
@@ -262,6 +276,7 @@ private:
   std::vector<bool> m_is_met; // per chain
   Span_error m_worst;
   double m_parametric_deviation = 0;
+  Error_parts m_parametric_parts;
   size_type m_worst_chain = 0;
 };
 

@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 namespace CGAL {
@@ -81,6 +82,37 @@ inline Span_error spline_error(const Cubic_spline_basis& basis, const Control_po
                                (error[i + 1] - slope[i + 1] / 3).norm()});
   }
   result.bound += safety_factor * remainder;
+  return result;
+}
+
+// the largest parts of the error of a spline at the samples
+struct Error_parts
+{
+  double normal = 0;     // at right angles to the curve
+  double tangential = 0; // along the curve
+
+  void add(const Error_parts& other)
+  {
+    normal = (std::max)(normal, other.normal);
+    tangential = (std::max)(tangential, other.tangential);
+  }
+};
+
+// splits the error at the ends of the pieces of a span
+inline Error_parts error_parts(const Cubic_spline_basis& basis, const Control_polygon& polygon,
+                               const Span_samples& samples, std::size_t span)
+{
+  constexpr std::size_t n = Span_samples::number_of_pieces;
+  const double begin = basis.span_begin(span), length = basis.span_end(span) - begin;
+  Error_parts result;
+  for(std::size_t i = 0; i <= n; ++i)
+  {
+    const double x = begin + length * (double(i) / double(n));
+    const Eigen::Vector3d error = evaluate(basis.values(span, x), polygon, 0) - samples.point[i];
+    const Eigen::Vector3d tangent = samples.derivative[i].normalized();
+    const double along = error.dot(tangent);
+    result.add(Error_parts{(error - along * tangent).norm(), std::abs(along)});
+  }
   return result;
 }
 

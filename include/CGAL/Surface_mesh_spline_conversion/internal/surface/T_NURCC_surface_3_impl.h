@@ -63,18 +63,29 @@ bool T_NURCC_surface_3<K>::is_chain_end(Vertex v) const
   return false;
 }
 
-// marks faces with `mark(closure)`, refines, and computes the new control points
+// changes the T-mesh, and computes the new control points
+template <typename K>
+template <typename Change>
+void T_NURCC_surface_3<K>::change_mesh(const Change& change)
+{
+  namespace internal = Surface_mesh_spline_conversion::internal;
+  const T_mesh old_mesh = m_mesh;
+  change(m_mesh, m_units);
+  internal::Control_point_transfer<K>(old_mesh, m_basis, m_mesh).run();
+  update();
+}
+
+// marks faces with `mark(closure)`, and refines
 template <typename K>
 template <typename Marker>
 void T_NURCC_surface_3<K>::refine_marked(const Marker& mark)
 {
-  namespace internal = Surface_mesh_spline_conversion::internal;
-  const T_mesh old_mesh = m_mesh;
-  Closure closure(m_mesh, m_units);
-  mark(closure);
-  closure.run();
-  internal::Control_point_transfer<K>(old_mesh, m_basis, m_mesh).run();
-  update();
+  change_mesh([&mark](T_mesh& mesh, std::vector<std::int64_t>& units)
+  {
+    Closure closure(mesh, units);
+    mark(closure);
+    closure.run();
+  });
 }
 
 template <typename K>
@@ -104,7 +115,7 @@ void T_NURCC_surface_3<K>::refine(const std::vector<Patch_split>& splits)
   {
     for(const Patch_split& split : splits)
     {
-      const Face f(typename Control_mesh::size_type(m_basis.patch(split.patch).face));
+      const Face f = face_of_patch(split.patch);
       if(split.u)
         closure.mark(f, 0);
       if(split.v)
