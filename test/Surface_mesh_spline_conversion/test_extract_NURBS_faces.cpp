@@ -51,17 +51,45 @@ void check_vertices(const CGAL::T_NURCC_surface_3<K>& surface, const Shell& shel
   }
 }
 
-// Above a corner between two quads, moves the control point that gives the direction of the line
-// between them, such that it lies in the plane of the tangents of the boundary.
-void straighten_corners(const Quad_layout& layout, CGAL::T_NURCC_surface_3<K>& surface)
+// the derivative of the surface at corner `at` of a quad towards its corner `to`
+K::Vector_3 derivative_along_side(const CGAL::T_NURCC_surface_3<K>& surface, std::size_t q, int at,
+                                  int to)
 {
   static const int u[4] = {0, 1, 1, 0}, v[4] = {0, 0, 1, 1};
-  auto derivative = [&surface](std::size_t q, int at, int to)
-  {
-    const std::size_t patch = surface.patch_at(q, u[at & 3], v[at & 3]);
-    return (u[to & 3] - u[at & 3]) * surface.derivative(patch, u[at & 3], v[at & 3], 1, 0)
-         + (v[to & 3] - v[at & 3]) * surface.derivative(patch, u[at & 3], v[at & 3], 0, 1);
-  };
+  const std::size_t patch = surface.patch_at(q, u[at & 3], v[at & 3]);
+  return (u[to & 3] - u[at & 3]) * surface.derivative(patch, u[at & 3], v[at & 3], 1, 0)
+       + (v[to & 3] - v[at & 3]) * surface.derivative(patch, u[at & 3], v[at & 3], 0, 1);
+}
+
+// the largest angle between the normals on both sides of the lines above corners, at the corners
+double largest_angle_at_corners(const Quad_layout& layout,
+                                const CGAL::T_NURCC_surface_3<K>& surface)
+{
+  double result = 0;
+  for(std::size_t q = 0; q < layout.number_of_quads(); ++q)
+    for(int i = 0; i < 4; ++i)
+    {
+      const int at = (i + 1) & 3;
+      if(!layout.is_border(q, i) || !layout.is_corner(layout.vertex(q, at)) || layout.is_border(q, at))
+        continue;
+      const auto other = layout.neighbor(q, at);
+      const K::Vector_3 line = derivative_along_side(surface, q, at, at + 1);
+      const K::Vector_3 a = CGAL::cross_product(line, derivative_along_side(surface, q, at, i));
+      const K::Vector_3 b = CGAL::cross_product(
+        derivative_along_side(surface, other.first, other.second + 1, other.second + 2), line);
+      result = (std::max)(result, std::atan2(
+        std::sqrt(CGAL::cross_product(a, b).squared_length()), a * b) * 180 / CGAL_PI);
+    }
+  return result;
+}
+
+// Above a corner between two quads, moves the control points that give the direction of the line
+// between them, such that it lies in the plane of the tangents of the boundary, or has the given slope
+// against it.
+void straighten_corners(const Quad_layout& layout, CGAL::T_NURCC_surface_3<K>& surface,
+                        double slope = 0)
+{
+  static const int u[4] = {0, 1, 1, 0}, v[4] = {0, 0, 1, 1};
   for(std::size_t q = 0; q < layout.number_of_quads(); ++q)
     for(int i = 0; i < 4; ++i)
     {
@@ -69,8 +97,12 @@ void straighten_corners(const Quad_layout& layout, CGAL::T_NURCC_surface_3<K>& s
       if(!layout.is_border(q, i) || !layout.is_corner(layout.vertex(q, at)) || layout.is_border(q, at))
         continue;
       const auto other = layout.neighbor(q, at);
-      const K::Vector_3 direction = derivative(q, at, i)
-                                  + derivative(other.first, other.second + 1, other.second + 2);
+      const K::Vector_3 back = derivative_along_side(surface, q, at, i);
+      const K::Vector_3 on
+        = derivative_along_side(surface, other.first, other.second + 1, other.second + 2);
+      const K::Vector_3 normal = CGAL::cross_product(on, back);
+      const double scale = slope * std::sqrt((back + on).squared_length() / normal.squared_length());
+      const K::Vector_3 direction = back + on + scale * normal;
       std::vector<CGAL::T_NURCC_surface_3<K>::Basis_function> functions;
       surface.basis(surface.patch_at(q, u[at], v[at]), u[at], v[at], 1, functions);
       for(const auto& f : functions)
@@ -140,6 +172,34 @@ void test(const std::string& name, const Quad_layout& layout, long euler_charact
            || shell.number_of_faces() - sectors <= 4 * number_of_separatrix_rectangles(layout));
     faces = shell.number_of_faces();
     check_vertices(surface, shell);
+  }
+}
+
+// Where the line above a corner leaves the plane of the tangents of the boundary a little, its faces
+// do not; next to extraordinary points, and away from them.
+void test_lines_out_of_the_tangent_plane(int m)
+{
+  constexpr double tolerance = 2; // of which a tenth is for the faces at creases
+  auto is_corner = [](const Point_3& p)
+  { return p.z() > 0 && std::abs(std::abs(p.x()) - std::abs(p.y())) < 1e-9; };
+  const Quad_layout layout = block_layout<K>(cube_blocks(true), m, on_sphere, is_corner);
+  for(double slope : {0., 0.02, -0.02})
+  {
+    CGAL::T_NURCC_surface_3<K> surface(layout);
+    straighten_corners(layout, surface, slope);
+    const double angle = largest_angle_at_corners(layout, surface);
+    assert(slope == 0 ? angle < 1e-8 : angle > 1);
+    Shell shell;
+    const auto statistics = SMSC::extract_NURBS_faces(
+      surface, shell, CGAL::parameters::interior_tolerance(tolerance));
+    const Shell_checks<K> checks(shell);
+    std::cout << "lines with slope " << slope << ", distance " << m << ": creases deviate "
+              << statistics.crease_deviation << ", gap " << checks.largest_gap << ", angle "
+              << checks.largest_angle << std::endl;
+    assert(statistics.number_of_creases == 4);
+    assert(checks.largest_gap < 1e-13 * RADIUS);
+    assert(checks.largest_angle < 1e-8);
+    assert(statistics.crease_deviation < 0.1 * tolerance);
   }
 }
 
@@ -215,6 +275,8 @@ int main()
          block_layout<K>(polygon_blocks(n), (n < 7) ? 1 : 2, on_hill), 1, 2 * n);
   test("refined polygon 5", block_layout<K>(polygon_blocks(5), 3, on_hill), 1, -1, 0, 3);
   test("refined cup", block_layout<K>(cube_blocks(true), 4, on_sphere), 1, -1, 0, 3);
+  for(int m : {1, 2, 3})
+    test_lines_out_of_the_tangent_plane(m);
   test_boundary_vertices();
   test_obj();
   return 0;

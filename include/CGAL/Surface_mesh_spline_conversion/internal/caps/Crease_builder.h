@@ -37,6 +37,7 @@ struct Crease
   std::vector<std::int64_t> breaks;                      ///< along the line, from 0 on
   std::array<std::int64_t, 2> width;                     ///< of the left and the right face
   std::array<std::vector<Eigen::Vector3d>, 2> points;    ///< Bezier points of the faces, see below
+  Eigen::Vector3d shift = Eigen::Vector3d::Zero();       ///< second Bezier point of the cubic that moves the line
   double deviation = 0;                                  ///< from the surface, normal to it
   bool ends_at_cap = false;                              ///< of the same width
 };
@@ -44,6 +45,11 @@ struct Crease
 /// Makes the surface tangent continuous across crease lines: the cross derivatives of both sides are
 /// changed such that they lie in common tangent planes, and nothing else is. The faces keep their
 /// outer curves and the derivatives there.
+///
+/// At the boundary, the tangent plane is that of the curves. Where the surface misses it because the
+/// direction of the line depends on several control points there, the line is moved by a cubic that
+/// takes its direction into the plane, and the surface on both sides with it. At the end of the line,
+/// the cubic and its derivative vanish.
 ///
 /// The points of a face are those of its pieces along the line, 24 each: `4*b+a` for point a in x,
 /// from smaller to larger x, and b in y.
@@ -104,8 +110,12 @@ public:
         for(const Placed_cell& placed : m_lines[i].cells[side])
           cut(placed, i, side, creases[i], work, parts[placed.cell]);
     for(Cell& cell : work)
-      if(cell.crease != NO_INDEX && creases[cell.crease].ends_at_cap)
-        set_end(creases[cell.crease], cell);
+      if(cell.crease != NO_INDEX)
+      {
+        move_line(creases[cell.crease], cell);
+        if(creases[cell.crease].ends_at_cap)
+          set_end(creases[cell.crease], cell);
+      }
     return work;
   }
 
@@ -135,21 +145,60 @@ private:
       crease.width[side] = width(line.cells[side]);
     if(line.ends_at_cap && !fit_to_cap(line, crease))
       return false;
+    crease.shift = shift_to_plane(pieces(line, crease, 0).front(), pieces(line, crease, 1).front(),
+                                  double(crease.breaks.back()) / double(crease.breaks[1]));
     const Crease_ribbons ribbons(pieces(line, crease, 0), pieces(line, crease, 1),
                                  lengths(crease), {{size(crease.width[0]), size(crease.width[1])}});
     if(!ribbons.is_regular())
       return false;
+    const double shift = deviation_of_shift(crease.shift);
     for(int i = 0; i < MAXIMUM_NUMBER_OF_HALVINGS && !crease.ends_at_cap; ++i)
       for(std::size_t side = 0; side < 2; ++side)
-        if(ribbons.deviation(side, size(crease.width[side])) > m_tolerance)
+        if(ribbons.deviation(side, size(crease.width[side])) + shift > m_tolerance)
           crease.width[side] /= 2;
     for(std::size_t side = 0; side < 2; ++side)
     {
       const double w = size(crease.width[side]);
-      crease.deviation = (std::max)(crease.deviation, ribbons.deviation(side, w));
+      crease.deviation = (std::max)(crease.deviation, ribbons.deviation(side, w) + shift);
       set_points(pieces(line, crease, side), ribbons, side, w, crease.points[side]);
     }
     return true;
+  }
+
+  // The shift that takes the direction of the line at the boundary into the plane of the tangents
+  // there, for the first pieces on both sides and the length of the line over that of the pieces;
+  // none where it would move the surface too far.
+  Eigen::Vector3d shift_to_plane(const Bicubic& left, const Bicubic& right, double length) const
+  {
+    constexpr double smallest_sine = 1e-6; // tangents with a smaller one have no plane to speak of
+    const Eigen::Vector3d before = left[3] - left[2], after = right[1] - right[0];
+    const Eigen::Vector3d normal = before.cross(after);
+    if(normal.norm() <= smallest_sine * before.norm() * after.norm())
+      return Eigen::Vector3d::Zero();
+    const Eigen::Vector3d shift
+      = normal * (length * normal.dot(right[0] - right[4]) / normal.squaredNorm());
+    if(deviation_of_shift(shift) > m_tolerance)
+      return Eigen::Vector3d::Zero();
+    return shift;
+  }
+
+  // adds what moves the line to the points of a bicubic from `first` to `last` along it
+  static void add_shift(const Crease& crease, std::size_t side, std::int64_t first,
+                        std::int64_t last, Bicubic& points)
+  {
+    const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
+    const double length = double(crease.breaks.back());
+    const Cubic shift = restriction(Cubic{{zero, crease.shift, zero, zero}}, double(first) / length,
+                                    double(last) / length);
+    for(int b = 0; b < 4; ++b)
+      for(int column : {0, 1}) // the line, and beside it
+        points[4 * b + (side == 0 ? DEGREE_ACROSS - column : column)] += shift[b];
+  }
+
+  static double deviation_of_shift(const Eigen::Vector3d& shift)
+  {
+    constexpr double largest_bernstein_value = 4. / 9.;
+    return largest_bernstein_value * shift.norm();
   }
 
   // the cap is as wide as the last cells, whatever they share
@@ -160,6 +209,15 @@ private:
     const bool has_room = crease.width[0] >= size && crease.width[1] >= size;
     crease.width = {{size, size}};
     return has_room;
+  }
+
+  // the edges of faces are taken from cells
+  static void move_line(const Crease& crease, Cell& cell)
+  {
+    const Tick_rectangle r = cell.frame(cell.rectangle);
+    Bicubic grid = rotated(cell.points, cell.frame.turns);
+    add_shift(crease, cell.sector, r.low[1], r.high[1], grid);
+    cell.points = rotated(grid, 4 - cell.frame.turns);
   }
 
   // Gives the last cells the position and derivative of the new face at its end: the cap there takes
@@ -212,6 +270,7 @@ private:
       result.push_back(restriction(
         grid, side == 0 ? 1 - share : 0, double(crease.breaks[k] - r.low[1]) / double(r.extent(1)),
         side == 0 ? 1 : share, double(crease.breaks[k + 1] - r.low[1]) / double(r.extent(1))));
+      add_shift(crease, side, crease.breaks[k], crease.breaks[k + 1], result.back());
     }
     return result;
   }
