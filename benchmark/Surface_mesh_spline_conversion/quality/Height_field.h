@@ -3,7 +3,7 @@
 #ifndef QUALITY_HEIGHT_FIELD_H
 #define QUALITY_HEIGHT_FIELD_H
 
-#include "surface_stages.h"
+#include "surface_types.h"
 
 #include <array>
 #include <cmath>

@@ -4,7 +4,11 @@
 
 #include "Height_field.h"
 #include "Hierarchical_splines.h"
-#include "surface_stages.h"
+#include "surface_types.h"
+
+#include <CGAL/Surface_mesh_spline_conversion/Conversion_report.h>
+#include <CGAL/Surface_mesh_spline_conversion/fit_boundary.h>
+#include <CGAL/Surface_mesh_spline_conversion/fit_interior.h>
 
 #include <algorithm>
 #include <cmath>

@@ -3,10 +3,10 @@
 #ifndef QUALITY_SURFACE_STAGES_H
 #define QUALITY_SURFACE_STAGES_H
 
+#include "surface_types.h"
+
 #include <CGAL/Real_timer.h>
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh/IO.h>
-#include <CGAL/T_NURCC_surface_3.h>
 #include <CGAL/property_map.h>
 
 #include <CGAL/Surface_mesh_spline_conversion/Boundary_curve_network_3.h>
@@ -22,14 +22,9 @@
 #include <string>
 #include <vector>
 
-namespace SC = CGAL::Surface_mesh_spline_conversion;
-
-typedef CGAL::Simple_cartesian<double> Kernel;
 typedef SC::Conversion_case<Kernel> Case;
 typedef SC::Boundary_curve_network_3<Case::Triangle_mesh, Case::Curve_traits> Network;
-typedef SC::Quad_layout<Kernel> Layout;
 typedef SC::Transfinite_patch_network_3<Kernel, Case::Triangle_mesh, Case::Curve_traits> Target;
-typedef CGAL::T_NURCC_surface_3<Kernel> Surface;
 
 // A case, or a closed mesh, with its network; not to be copied, as the network refers to the mesh.
 struct Input
