@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/fit_parameters.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/format_number.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/plan_bisection.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/for_each_index.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/to_eigen.h>
 
 #include <CGAL/Real_timer.h>
@@ -119,6 +120,14 @@ private:
   // there come from the input
   static constexpr double shortest_span = 1. / 16384;
 
+  // the fit of a chain on the knots of the surface, and its errors at equal parameters
+  struct Fitted_chain
+  {
+    Chain_fit fit;
+    double parametric_deviation = 0;
+    Error_parts parametric_parts;
+  };
+
   Error_code fail(Error_code code, const std::string& message)
   {
     m_report.message = message;
@@ -147,21 +156,21 @@ private:
     m_parametric_deviation = 0;
     m_parametric_parts = Error_parts();
     m_is_met.assign(m_curves.size(), true);
+    std::vector<Fitted_chain> chains(m_curves.size());
+    for_each_index(m_curves.size(), [&](size_type c) { fit(c, chains[c]); });
     for(size_type c = 0; c < m_curves.size(); ++c)
     {
       if(m_target.number_of_sides(c) == 0)
         continue;
-      const Chain_knots chain_knots = knots(c);
-      const Chain_fit result = fit_chain(chain_knots, m_curves[c], m_options.error_metric,
-                                         m_options.tolerance);
-      if(!result.is_solved)
+      if(!chains[c].fit.is_solved)
       {
         m_worst_chain = c;
         return false;
       }
-      set_control_points(c, result.polygon);
-      measure_parametric_deviation(c, chain_knots.basis(), result.polygon);
-      const Span_error worst = result.worst();
+      set_control_points(c, chains[c].fit.polygon);
+      m_parametric_deviation = (std::max)(m_parametric_deviation, chains[c].parametric_deviation);
+      m_parametric_parts.add(chains[c].parametric_parts);
+      const Span_error worst = chains[c].fit.worst();
       m_is_met[c] = worst.bound < m_options.tolerance;
       if(worst.bound > m_worst.bound)
       {
@@ -172,16 +181,29 @@ private:
     return true;
   }
 
-  void measure_parametric_deviation(size_type chain, const Cubic_spline_basis& basis,
-                                    const Control_polygon& polygon)
+  void fit(size_type chain, Fitted_chain& result)
   {
+    if(m_target.number_of_sides(chain) == 0)
+      return;
+    const Chain_knots chain_knots = knots(chain);
+    result.fit = fit_chain(chain_knots, m_curves[chain], m_options.error_metric,
+                           m_options.tolerance);
+    if(result.fit.is_solved)
+      measure_parametric_deviation(chain, chain_knots.basis(), result);
+  }
+
+  void measure_parametric_deviation(size_type chain, const Cubic_spline_basis& basis,
+                                    Fitted_chain& result)
+  {
+    const Control_polygon& polygon = result.fit.polygon;
     for(size_type span = 0; span < basis.number_of_spans(); ++span)
     {
       const double begin = basis.span_begin(span), length = basis.span_end(span) - begin;
       const Span_samples samples = sample_at_equal_parameters(begin, length, m_curves[chain]);
-      m_parametric_deviation = (std::max)(m_parametric_deviation,
-                                          spline_error(basis, polygon, samples, span).sampled);
-      m_parametric_parts.add(error_parts(basis, polygon, samples, span));
+      result.parametric_deviation
+        = (std::max)(result.parametric_deviation,
+                     spline_error(basis, polygon, samples, span).sampled);
+      result.parametric_parts.add(error_parts(basis, polygon, samples, span));
     }
   }
 
@@ -199,11 +221,13 @@ private:
   bool refine()
   {
     std::vector<Chain_knots> plans(m_curves.size());
-    for(size_type c = 0; c < m_curves.size(); ++c)
+    for_each_index(m_curves.size(), [&](size_type c)
+    {
       if(!m_is_met[c])
         plans[c] = plan_bisection(knots(c), m_curves[c], m_options.error_metric,
                                   m_options.tolerance, shortest_span,
                                   m_options.maximum_number_of_patches);
+    });
     bool is_refined = false;
     for(;;)
     {
