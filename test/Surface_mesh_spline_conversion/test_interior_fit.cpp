@@ -169,18 +169,25 @@ void test_improvement()
   assert(fitter() == SC::Error_code::OK && surface.number_of_patches() == 64);
   const std::size_t quad = 3 * 8 + 4;
   const Point place = surface.position(surface.patch_at(quad, 0.3, 0.6), 0.3, 0.6);
-  assert(fitter.improve({place, place}) == SC::Error_code::OK);
+  assert(fitter.improve({place, place}, {}) == SC::Error_code::OK);
   const auto is_whole = [&surface](std::size_t q)
   {
     const auto o = surface.patch_origin(surface.patch_at(q, 0.3, 0.6));
     return o.u0 == 0 && o.v0 == 0 && o.u1 == 1 && o.v1 == 1;
   };
   assert(surface.is_valid() && !is_whole(quad) && is_whole(0) && is_whole(63));
+  // a corner of four patches
+  assert(is_whole(18) && is_whole(9));
+  assert(fitter.improve({}, {surface.position(surface.patch_at(18, 0, 0), 0, 0)})
+         == SC::Error_code::OK);
+  for(std::size_t q : {9, 10, 17, 18})
+    assert(!is_whole(q));
+  assert(surface.is_valid() && is_whole(0) && is_whole(63));
   std::vector<std::size_t> iterations;
   for(const auto& entry : report.iterations)
     if(entry.stage == "fit_interior")
       iterations.push_back(entry.iteration);
-  assert((iterations == std::vector<std::size_t>{0, 1}));
+  assert((iterations == std::vector<std::size_t>{0, 1, 2}));
 }
 
 struct Reference_surface : Tensor_product_surface

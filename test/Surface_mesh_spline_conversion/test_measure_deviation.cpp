@@ -114,6 +114,7 @@ int main()
   SMSC::Deviation<K> d = measure(two_faces([](int, int) { return 0; }));
   assert(d.boundary_maximum < rounding && d.corner_maximum < rounding);
   assert(d.interior_maximum < rounding && d.normal_angle_maximum < 1e-10);
+  assert(d.normal_violations.empty());
   assert(d.fraction_within == 1 && d.faces_against_mesh == 0 && d.interior_violations.empty());
 
   // moved as a whole: everything deviates by that much, and nothing is within less
@@ -142,6 +143,7 @@ int main()
   d = measure(two_faces([a](int i, int) { return a * SIZE / 6 * std::abs(i - 3); }));
   assert(is_close(d.normal_angle_maximum, 2 * std::atan(a) * 180 / CGAL_PI, 1e-9));
   assert(is_close(d.normal_angle_worst.x(), SIZE / 2, rounding));
+  assert(d.normal_violations.size() == 1 && d.normal_violations[0] == d.normal_angle_worst);
 
   // a vertex of the mesh pulled out: only seen from the mesh
   Measurement spiky;

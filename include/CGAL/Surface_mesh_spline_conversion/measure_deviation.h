@@ -58,6 +58,8 @@ struct Deviation
 
   FT normal_angle_maximum = 0;    ///< largest angle between normals across an edge, in degrees
   Point_3 normal_angle_worst;     ///< where it is largest
+  std::vector<Point_3> normal_violations; ///< where it exceeds one degree: the worst place of each
+                                          ///< edge
   std::size_t faces_against_mesh = 0; ///< faces that look the other way than the mesh
 };
 
@@ -113,6 +115,7 @@ void measure_deviation(const NURBS_shell_3<K>& shell, const TriangleMesh& tm,
   using parameters::get_parameter;
 
   constexpr double DEFAULT_RELATIVE_TOLERANCE = 1e-3;
+  constexpr double LARGEST_ANGLE = 1; // in degrees
   auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
                               get_const_property_map(CGAL::vertex_point, tm));
   const double tolerance
@@ -141,9 +144,12 @@ void measure_deviation(const NURBS_shell_3<K>& shell, const TriangleMesh& tm,
     deviation.interior_violations.push_back(point(p));
   deviation.faces_against_mesh = interior.number_of_faces_against_mesh();
 
-  const internal::Deviation_statistics angles = internal::normal_angles(shell);
-  deviation.normal_angle_maximum = angles.maximum;
-  deviation.normal_angle_worst = point(angles.worst);
+  const internal::Normal_angles angles = internal::normal_angles(shell, LARGEST_ANGLE);
+  deviation.normal_angle_maximum = angles.statistics.maximum;
+  deviation.normal_angle_worst = point(angles.statistics.worst);
+  deviation.normal_violations.clear();
+  for(const Eigen::Vector3d& p : angles.violations)
+    deviation.normal_violations.push_back(point(p));
 }
 
 } // namespace Surface_mesh_spline_conversion

@@ -105,6 +105,10 @@ private:
   // more than the tolerance, the surface is refined, and the fit goes on; so many times at most.
   static constexpr int maximum_number_of_improvements = 8;
 
+  // Where the normals of neighbouring faces do not agree, only the first times count: below the
+  // size of the faces of the mesh the normals have no meaning.
+  static constexpr int maximum_number_of_smoothings = 4;
+
   void describe_input(std::size_t number_of_components)
   {
     Conversion_report::Input& input = m_report.input;
@@ -180,40 +184,48 @@ private:
     Interior_fitter<Surface, Target, Visitor> fitter(
       surface, target, interior_fit_options(target, np), boundary_fit_options(target, np),
       m_visitor, part);
-    std::vector<Point_3> violations;
-    Error_code interior = run("fit_interior", part, [&]() { return fitter(); });
-    Error_code measured = Error_code::OK;
-    for(int round = 0; is_surface(interior); ++round)
-    {
-      measured = run("measure_deviation", part, [&]()
-        { return measure(surface, component, network, part, violations); });
-      if(interior != Error_code::OK || violations.empty()
-         || round == maximum_number_of_improvements)
-        break;
-      part.message.clear();
-      interior = run("fit_interior", part, [&]() { return fitter.improve(violations); });
-    }
+    const Error_code interior = fit_interior(fitter, surface, component, network, part);
     if(!is_surface(interior))
       return interior;
     count(surface, part);
     m_surfaces.push_back(std::move(surface));
-    for(const Error_code code : {measured, interior})
-      result = (code == Error_code::OK) ? result : code;
-    return result;
+    return interior == Error_code::OK ? result : interior;
   }
 
-  // measures the surface as it leaves for a CAD system, caps included; `violations` are places
-  // where it misses the interior tolerance.
+  // fits, measures, and improves the fit where the measurement asks for it.
+  template <typename Fitter>
+  Error_code fit_interior(Fitter& fitter, const Surface& surface, const Component& component,
+                          const Component_network& network, Conversion_report& part)
+  {
+    const std::string message = part.message;
+    Error_code code = run("fit_interior", part, [&]() { return fitter(); });
+    for(int round = 0; is_surface(code); ++round)
+    {
+      Deviation<Kernel> deviation;
+      const Error_code measured = run("measure_deviation", part, [&]()
+        { return measure(surface, component, network, part, deviation); });
+      if(round >= maximum_number_of_smoothings)
+        deviation.normal_violations.clear();
+      if(code != Error_code::OK || round == maximum_number_of_improvements
+         || (deviation.interior_violations.empty() && deviation.normal_violations.empty()))
+        return code == Error_code::OK ? measured : code;
+      part.message = message;
+      code = run("fit_interior", part, [&]()
+        { return fitter.improve(deviation.interior_violations, deviation.normal_violations); });
+    }
+    return code;
+  }
+
+  // measures the surface as it leaves for a CAD system, caps included.
   Error_code measure(const Surface& surface, const Component& component,
                      const Component_network& network, Conversion_report& part,
-                     std::vector<Point_3>& violations)
+                     Deviation<Kernel>& deviation)
   {
     const auto tolerance = parameters::interior_tolerance(m_options.interior_tolerance);
     NURBS_shell_3<Kernel> shell;
     extract_NURBS_faces(surface, shell,
                         tolerance.boundary_vertices(find_boundary_vertices(
                           surface, network, FT(m_options.boundary_tolerance))));
-    Deviation<Kernel> deviation;
     measure_deviation(shell, component.mesh, network, deviation, tolerance);
     part.boundary.max_deviation = CGAL::to_double(deviation.boundary_maximum);
     part.boundary.mean_deviation = CGAL::to_double(deviation.boundary_mean);
@@ -225,7 +237,6 @@ private:
     for(int i = 0; i < 3; ++i)
       part.interior.worst[i] = CGAL::to_double(deviation.interior_worst[i]);
     part.smoothness.max_normal_angle_degrees = CGAL::to_double(deviation.normal_angle_maximum);
-    violations = deviation.interior_violations;
     part.counts.nurbs_faces = shell.number_of_faces();
     return check_deviation(deviation, part);
   }

@@ -98,13 +98,22 @@ std::vector<Eigen::Vector3d> normals_along_edge(const B_spline_surface_3<K>& sur
   return result;
 }
 
-/// the angles between the normals of adjacent faces at samples of their edges, in degrees
+/// angles between normals, in degrees
+struct Normal_angles
+{
+  Deviation_statistics statistics;
+  std::vector<Eigen::Vector3d> violations; ///< the worst place of each edge with more than the bound
+};
+
+/// The angles between the normals of adjacent faces at samples of their edges.
+/// \param bound in degrees
 template <typename K>
-Deviation_statistics normal_angles(const NURBS_shell_3<K>& shell)
+Normal_angles normal_angles(const NURBS_shell_3<K>& shell, double bound)
 {
   constexpr int INTERVALS_OF_A_SPAN = 8;
   std::vector<std::vector<Eigen::Vector3d> > first(shell.number_of_edges());
-  Deviation_statistics result;
+  Normal_angles result;
+  result.statistics.bound = bound;
   for(std::size_t f = 0; f < shell.number_of_faces(); ++f)
   {
     const std::vector<Edge_on_face> places = places_of_edges(shell, f);
@@ -122,13 +131,18 @@ Deviation_statistics normal_angles(const NURBS_shell_3<K>& shell)
         first[use.edge] = normals;
         continue;
       }
+      Deviation_statistics edge;
       for(int k = 0; k <= n; ++k)
       {
         const Eigen::Vector3d &a = first[use.edge][k], &b = normals[k];
         const double angle = std::atan2(a.cross(b).norm(), a.dot(b)) * 180 / CGAL_PI;
         const auto t = curve.first() + (curve.last() - curve.first()) * k / double(n);
-        result.add(angle, to_eigen(curve.point(t)));
+        const Eigen::Vector3d p = to_eigen(curve.point(t));
+        edge.add(angle, p);
+        result.statistics.add(angle, p);
       }
+      if(edge.maximum > bound)
+        result.violations.push_back(edge.worst);
       first[use.edge] = std::vector<Eigen::Vector3d>();
     }
   }

@@ -69,25 +69,25 @@ public:
       if(code != Error_code::OK)
         return code;
       record(timer.time());
-      const bool is_met = m_largest.error < m_options.tolerance;
-      const std::vector<Patch_split> splits
-        = is_met ? splits_at_creases() : m_error->violations(m_options.tolerance);
-      if(is_met && (splits.empty() || !can_refine(splits)))
+      if(m_largest.error < m_options.tolerance)
         return m_boundary_code;
-      code = refine(splits);
+      code = refine(m_error->violations(m_options.tolerance));
       if(code != Error_code::OK)
         return code;
     }
   }
 
-  // Goes on after a fit: refines the surface next to `places`, where someone else has found it to
-  // be too far from the mesh, and fits again.
-  Error_code improve(const std::vector<Point_3>& places)
+  // Goes on after a fit that has met the tolerances: refines the surface where someone else has
+  // found it to be too far from the mesh, and around places where the normals do not agree, and fits
+  // again.
+  Error_code improve(const std::vector<Point_3>& far, const std::vector<Point_3>& rough)
   {
-    std::vector<Eigen::Vector3d> points;
-    for(const Point_3& p : places)
-      points.push_back(to_eigen(p));
-    const Error_code code = refine(m_error->splits_at(points));
+    std::vector<Patch_split> splits = m_error->splits_at(far);
+    const std::vector<Patch_split> around = m_error->splits_around(rough);
+    splits.insert(splits.end(), around.begin(), around.end());
+    if(far.empty() && !can_refine(splits))
+      return m_boundary_code;
+    const Error_code code = refine(splits);
     if(code != Error_code::OK)
       return code;
     ++m_iteration;
@@ -104,25 +104,10 @@ private:
   // Refinements that go on for longer than that chase a place where the surface cannot follow.
   static constexpr size_type maximum_number_of_iterations = 24;
 
-  // The lines above corners are halved that many times at most where the normals do not agree; below
-  // the size of the faces of the mesh the normals have no meaning.
-  static constexpr int maximum_number_of_crease_refinements = 4;
-
   Error_code fail(Error_code code, const std::string& message)
   {
     m_report.message = message;
     return code;
-  }
-
-  // while the normals beside lines above corners do not agree
-  std::vector<Patch_split> splits_at_creases()
-  {
-    std::vector<Patch_split> result;
-    if(m_rough_patches.empty() || ++m_crease_refinements > maximum_number_of_crease_refinements)
-      return result;
-    for(size_type p : m_rough_patches)
-      result.push_back(Patch_split{p, true, true});
-    return result;
   }
 
   bool can_refine(const std::vector<Patch_split>& splits) const
@@ -176,7 +161,7 @@ private:
       if(!solve(system, next_accuracy))
         return fail(Error_code::SINGULAR_SYSTEM, "the control points could not be determined");
     }
-    m_rough_patches = Crease_smoother<Surface, Target, System>(m_surface, m_target, system)();
+    Crease_smoother<Surface, Target, System>(m_surface, m_target, system)();
     m_error.reset(new Errors(m_surface, m_target, samples,
                              m_options.error_metric == Error_metric::PARAMETRIC));
     m_largest = m_error->largest();
@@ -232,10 +217,8 @@ private:
   std::unique_ptr<Samples> m_samples; // at the last refinement level
   std::unique_ptr<Errors> m_error;    // of the last fit
   Largest_error m_largest;
-  std::vector<size_type> m_rough_patches; // beside lines above corners where the normals differ
   Error_code m_boundary_code = Error_code::OK; // of the last fit of the boundary
   size_type m_iteration = 0;
-  int m_crease_refinements = 0;
 };
 
 } // namespace internal

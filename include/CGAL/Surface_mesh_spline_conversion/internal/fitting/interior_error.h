@@ -22,6 +22,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
+#include <set>
 #include <vector>
 
 namespace CGAL {
@@ -190,21 +191,33 @@ public:
 
   // returns the patches with the points of the surface closest to `points`, and the directions in
   // which they should be split
-  std::vector<Patch_split> splits_at(const std::vector<Eigen::Vector3d>& points) const
+  std::vector<Patch_split> splits_at(const std::vector<Point_3>& points) const
   {
-    const Point_index index(m_points);
-    std::vector<size_type> patches;
-    for(const Eigen::Vector3d& p : points)
-    {
-      Foot_point foot(m_surface, m_target.layout(), p, place(index.nearest(p, 1).front()));
-      foot();
-      patches.push_back(foot.place().patch);
-    }
-    std::sort(patches.begin(), patches.end());
-    patches.erase(std::unique(patches.begin(), patches.end()), patches.end());
+    std::set<size_type> patches;
+    for(const typename Samples::Place& p : foot_places(points))
+      patches.insert(p.patch);
     std::vector<Patch_split> result;
     for(size_type p : patches)
       result.push_back(split(p));
+    return result;
+  }
+
+  // returns all patches at the points of the surface closest to `points`, to be quadrisected
+  std::vector<Patch_split> splits_around(const std::vector<Point_3>& points) const
+  {
+    constexpr double step = 1. / 128; // in quads
+    std::set<size_type> patches;
+    for(const typename Samples::Place& p : foot_places(points))
+      for(double du : {-step, step})
+        for(double dv : {-step, step})
+        {
+          const Quad_point<FT> q = cross_sides(m_target.layout(),
+                                               Quad_point<FT>{p.quad, p.u + FT(du), p.v + FT(dv)});
+          patches.insert(m_surface.patch_at(q.quad, q.u, q.v));
+        }
+    std::vector<Patch_split> result;
+    for(size_type p : patches)
+      result.push_back(Patch_split{p, true, true});
     return result;
   }
 
@@ -243,6 +256,20 @@ private:
       if(m_bounds[i] >= tolerance && distance(i) >= tolerance)
         return true;
     return false;
+  }
+
+  std::vector<typename Samples::Place> foot_places(const std::vector<Point_3>& points) const
+  {
+    const Point_index index(m_points);
+    std::vector<typename Samples::Place> result;
+    for(const Point_3& point : points)
+    {
+      const Eigen::Vector3d p = to_eigen(point); // kept by the search
+      Foot_point foot(m_surface, m_target.layout(), p, place(index.nearest(p, 1).front()));
+      foot();
+      result.push_back(foot.place());
+    }
+    return result;
   }
 
   // compares the variation of the error (the integral of the squared derivative) in both directions

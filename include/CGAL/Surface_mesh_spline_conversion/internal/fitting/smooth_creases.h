@@ -69,12 +69,9 @@ public:
     : m_surface(surface), m_target(target), m_system(system)
   {}
 
-  // returns the patches beside those lines where the normals still differ noticeably: there, the
-  // surface turns too much within two bays
-  std::vector<size_type> operator()()
+  void operator()()
   {
     const auto& layout = m_target.layout();
-    m_rough_patches.clear();
     for(size_type q = 0; q < layout.number_of_quads(); ++q)
       for(int i = 0; i < 4; ++i)
       {
@@ -85,10 +82,6 @@ public:
         if(layout.is_border(other.first, other.second + 1))
           smooth(q, i, other.first, (other.second + 1) & 3);
       }
-    std::sort(m_rough_patches.begin(), m_rough_patches.end());
-    m_rough_patches.erase(std::unique(m_rough_patches.begin(), m_rough_patches.end()),
-                          m_rough_patches.end());
-    return m_rough_patches;
   }
 
 private:
@@ -98,9 +91,6 @@ private:
   // A surface that turns by much more than a right angle within two bays has no normal that could
   // be kept; control points are not moved by more than this share of the size of a quad.
   static constexpr double largest_move = 0.1;
-
-  // the sine of the largest angle between normals that is accepted, one degree
-  static constexpr double largest_sine = 0.01745;
 
   // Ratio of the weight of the constraint to that of the fit. What remains of a jump is its share.
   static constexpr double constraint_weight = 1e4;
@@ -125,10 +115,6 @@ private:
     }
     if(!unknowns.empty())
       make_normals_agree(first, samples, functionals, unknowns);
-    if(normal_misfit(samples) > largest_sine)
-      for(const Sample& s : samples)
-        for(const Place& p : s.places)
-          m_rough_patches.push_back(m_surface.patch_at(p.quad, p.u, p.v));
   }
 
   void make_normals_agree(size_type first, const std::vector<Sample>& samples,
@@ -367,7 +353,6 @@ private:
   Surface& m_surface;
   const Target& m_target;
   const System& m_system;
-  std::vector<size_type> m_rough_patches;
   bool m_is_jump_free = true; // do inner control points act on the jump at the present corner?
 };
 
