@@ -67,6 +67,9 @@ inline bool print_figure_13(const Input& input, const std::string& folder,
   print_boundary_iterations("paper", paper_report, d);
   print_boundary_iterations("one bay", extension_report, d);
   print_boundary_iterations("default", default_report, d);
+  std::printf("  are 16 functions on each Bezier element, that sum up to one? paper: %s, one bay: %s, "
+              "default: %s\n", paper.surface().is_valid() ? "yes" : "no",
+              extension.surface().is_valid() ? "yes" : "no", surface.is_valid() ? "yes" : "no");
   std::printf("  default: %zu patches, %zu control points, %zu Bezier elements in the end\n",
               outcome.patches, outcome.control_points, outcome.bezier_elements);
   std::fflush(stdout);

@@ -224,9 +224,11 @@ public:
 private:
   typedef Surface_foot_point<Surface, typename Target::Layout, typename Samples::Place> Foot_point;
 
-  // Where the error varies by so much more in one direction than in the other, halving the patch in
-  // this direction is tried first.
-  static constexpr double directional_ratio = 1.1;
+  // A square patch is halved in the direction in which the error varies more, another patch in its
+  // longer direction, unless the error varies so much more in the shorter one. Halving in turns
+  // lets the halves of neighbors match: where directions are mixed, extensions of T-junctions cross,
+  // and the surface needs up to a third more control points.
+  static constexpr double directional_ratio = 5;
 
   static constexpr size_type none = static_cast<size_type>(-1);
 
@@ -272,7 +274,8 @@ private:
     return result;
   }
 
-  // compares the variation of the error (the integral of the squared derivative) in both directions
+  // compares the sides of a patch, and the variation of the error (the integral of the squared
+  // derivative) in both directions
   Patch_split split(size_type patch) const
   {
     const auto& grid = m_samples.grid(patch);
@@ -287,8 +290,15 @@ private:
         along_v += (difference(patch, k) - difference(patch, k - row)).squaredNorm()
                    * double(grid.v) / double(grid.u + 1);
     }
+    const auto origin = m_surface.patch_origin(patch);
+    const FT width = origin.u1 - origin.u0, height = origin.v1 - origin.v0;
     const double ratio = directional_ratio * directional_ratio;
-    return Patch_split{patch, along_u * ratio >= along_v, along_v * ratio >= along_u};
+    bool is_along_u = width == height ? along_u >= along_v : width > height;
+    if(along_u > ratio * along_v && FT(2) * width >= height)
+      is_along_u = true;
+    else if(along_v > ratio * along_u && FT(2) * height >= width)
+      is_along_u = false;
+    return Patch_split{patch, is_along_u, !is_along_u};
   }
 
   Eigen::Vector3d difference(size_type patch, size_type k) const
