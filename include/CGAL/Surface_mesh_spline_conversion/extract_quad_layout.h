@@ -88,8 +88,8 @@ Quad_layout<GeomTraits> make_layout(const Quad_grid& grid, const Working_mesh& m
   return layout;
 }
 
-// Sets the points of the vertices: those at the first `n` vertices of the mesh exactly, others by the
-// inverse map.
+// Sets the points of the vertices: those at the first `n` vertices of the boundary of the mesh exactly,
+// others by the inverse map.
 template <typename GeomTraits>
 void set_points(const Quad_grid& grid, const Working_mesh& mesh, int n,
                 Quad_layout<GeomTraits>& layout)
@@ -99,7 +99,7 @@ void set_points(const Quad_grid& grid, const Working_mesh& mesh, int n,
       layout.set_point(layout.vertex(q, i),
                        layout.inverse_map()(q, i == 1 || i == 2, i >= 2).point);
   for(int v = 0; v < grid.number_of_vertices(); ++v)
-    if(grid.mesh_vertex[v] >= 0 && grid.mesh_vertex[v] < n)
+    if(grid.is_border_vertex[v] && grid.mesh_vertex[v] >= 0 && grid.mesh_vertex[v] < n)
     {
       const Eigen::Vector3d& p = mesh.points[grid.mesh_vertex[v]];
       layout.set_point(v, typename GeomTraits::Point_3(p[0], p[1], p[2]));
@@ -187,6 +187,7 @@ Error_code extract_quad_layout(const Integer_grid_map& map, const TriangleMesh& 
   internal::Mapped_quads quads;
   if(*quads.build(map) != 0)
     return Error_code::NO_QUAD_LAYOUT;
+  quads.smooth_at_cones(map);
   const auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
                                     get_const_property_map(vertex_point, tm));
   const internal::Working_mesh& mesh = map.map.mesh;
