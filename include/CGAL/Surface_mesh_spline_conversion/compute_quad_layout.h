@@ -125,8 +125,8 @@ public:
   Layout_ladder(const TriangleMesh& tm, const BoundaryCurveNetwork& network,
                 Quad_layout<GeomTraits>& layout, Conversion_report& report, Visitor& visitor,
                 const NamedParameters& np)
-    : m_tm(tm), m_network(network), m_layout(layout), m_report(report), m_visitor(visitor), m_np(np),
-      m_message(report.message)
+    : m_tm(tm), m_network(network), m_layout(layout), m_report(report), m_visitor(visitor),
+      m_np(np), m_message(report.message)
   {}
 
   Error_code run()

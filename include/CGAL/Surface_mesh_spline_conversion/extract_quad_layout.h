@@ -88,8 +88,8 @@ Quad_layout<GeomTraits> make_layout(const Quad_grid& grid, const Working_mesh& m
   return layout;
 }
 
-// Sets the points of the vertices: those at the first `n` vertices of the boundary of the mesh exactly,
-// others by the inverse map.
+// Sets the points of the vertices: those at the boundary exactly where they are among the first `n`
+// vertices of the mesh, others by the inverse map.
 template <typename GeomTraits>
 void set_points(const Quad_grid& grid, const Working_mesh& mesh, int n,
                 Quad_layout<GeomTraits>& layout)
@@ -140,8 +140,9 @@ the mesh, the pieces of the boundary below them, and the inverse map.
 
 All decisions are exact, and the result is checked: it has the Euler characteristic of the mesh, its
 irregular vertices are the singularities of the map, corners of the boundary are vertices, and the
-boundary sides cover each boundary chain once. Vertices at vertices of the mesh have exactly their
-points. The inverse map is continuous up to rounding and maps no two quads to the same place. It is
+boundary sides cover each boundary chain once. Vertices at boundary vertices of the mesh have exactly
+their points. Extraordinary points need not lie at vertices of the mesh: they, and the quads around,
+are moved such that the angles at them become nearly equal. The inverse map is continuous up to rounding and maps no two quads to the same place. It is
 piecewise linear if the map has been solved again (`Integer_grid_map::is_resolved`) and there is no
 proxy. With a proxy, its points are projected to the mesh along normals that are interpolated on the
 proxy, and those of the boundary by arc length.

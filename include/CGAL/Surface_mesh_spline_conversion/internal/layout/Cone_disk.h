@@ -63,7 +63,10 @@ public:
   const std::vector<int>& faces() const { return m_faces; }
 
   // Does the interior of the disk meet that of another one?
-  bool meets(const Cone_disk& other) const { return has_part_in(other) || other.has_part_in(*this); }
+  bool meets(const Cone_disk& other) const
+  {
+    return has_part_in(other) || other.has_part_in(*this);
+  }
 
   // \pre `at.face` is one of the faces
   Working_location operator()(const Working_location& at) const
@@ -105,8 +108,9 @@ private:
       const auto parts = other.m_parts.find(static_cast<int>(m_mesh.parent[f]));
       if(parts == other.m_parts.end())
         continue;
-      const Eigen::Vector3d middle = (m_corners[3 * f].barycentric + m_corners[3 * f + 1].barycentric
-                                      + m_corners[3 * f + 2].barycentric) / 3;
+      Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+      for(int i = 0; i < 3; ++i)
+        middle += m_corners[3 * f + i].barycentric / 3;
       for(const int part : parts->second)
         if((other.m_in_part[part] * middle).minCoeff() > 0)
           return true;
@@ -500,7 +504,8 @@ private:
   std::vector<Corner> m_corners;               // per corner of the refined disk
   std::vector<Eigen::Vector2d> m_map_points;     // per vertex of the refined disk
   std::vector<Eigen::Vector2d> m_surface_points;
-  std::unordered_map<int, std::vector<int> > m_parts;  // by face of the working mesh: faces of the disk
+  std::unordered_map<int, std::vector<int> > m_parts; // by face of the working mesh: faces of the
+                                                      // disk
   std::vector<Eigen::Matrix3d> m_in_part;      // from barycentric coordinates in the working mesh
   std::vector<Eigen::Matrix3d> m_in_flat_face; // from homogeneous coordinates
 };

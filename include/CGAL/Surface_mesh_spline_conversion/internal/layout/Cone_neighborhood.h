@@ -28,8 +28,8 @@ namespace CGAL {
 namespace Surface_mesh_spline_conversion {
 namespace internal {
 
-// The faces around a singularity of a seamless map, unfolded about it: the singularity is the origin
-// of the chart of each face, and the charts of neighbours agree up to turns by right angles.
+// The faces around a singularity of a seamless map, unfolded about it: the singularity is the
+// origin of the chart of each face, and the charts of neighbours agree up to turns by right angles.
 class Cone_neighborhood
 {
 public:
