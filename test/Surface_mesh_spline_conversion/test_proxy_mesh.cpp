@@ -153,7 +153,7 @@ void check_monotony(const Proxy_mesh& proxy)
 internal::Proxy_builder builder_of(const Working_mesh& mesh, const std::vector<double>& sizes)
 {
   return internal::Proxy_builder(std::make_shared<const Working_mesh>(mesh), sizes,
-                                 std::vector<char>(mesh.number_of_vertices(), 0));
+                                 std::vector<char>(mesh.number_of_vertices(), 0), 1);
 }
 
 bool is_proxy_wanted(const Working_mesh& mesh, double size)

@@ -495,32 +495,49 @@ private:
   }
 
   // Checks the orientation by a small step in u and in v; returns the ratio of the areas of image
-  // and quad. Steps that leave the face, cross a kink of the map or drown in rounding are tried in
-  // the other directions and with another length: where the map is reversed, all of them are.
+  // and quad. Steps that leave the face or cross a kink of the map are tried in the other
+  // directions: where the map is reversed, all of them are. Longer steps serve only where all short
+  // ones drown in rounding.
   double check_orientation(std::size_t q, double u, double v)
   {
-    const double small_step = 1e-7, step = 1e-5;
+    const double short_step = 1e-7, long_step = 1e-5;
     const Location at = locate(q, u, v);
     if(!check_location(q, at))
       return 0;
-    bool is_reversed = false;
-    for(const double du : {small_step, -small_step, step, -step})
+    for(const double step : {short_step, long_step})
+    {
+      const double ratio = signed_ratio(q, u, v, at, step);
+      if(ratio < 0)
+        report("orientation of the image", quad(q));
+      if(ratio != 0)
+        return std::abs(ratio) * norm(m_mesh.normal(at.face));
+    }
+    // between faces: what the step itself spans
+    const Location b = locate(q, u + long_step, v), c = locate(q, u, v + long_step);
+    return norm(cross(b.point - at.point, c.point - at.point)) / (long_step * long_step);
+  }
+
+  // The ratio of the areas, in barycentric coordinates, for the first direction in which it is
+  // positive; else, for a direction in which it is negative; zero if rounding hides it everywhere.
+  double signed_ratio(std::size_t q, double u, double v, const Location& at, double step) const
+  {
+    const double rounding = 1e-14; // of differences of barycentric coordinates
+    double result = 0;
+    for(const double du : {step, -step})
       for(const double dv : {du, -du})
       {
         const Location b = locate(q, u + du, v), c = locate(q, u, v + dv);
         if(at.face != b.face || at.face != c.face)
           continue;
         const Point db = b.barycentric - at.barycentric, dc = c.barycentric - at.barycentric;
-        const double ratio = (db[0] * dc[1] - db[1] * dc[0]) / (du * dv);
-        if(ratio > 0)
-          return ratio * norm(m_mesh.normal(at.face));
-        is_reversed = true;
+        const double area = db[0] * dc[1] - db[1] * dc[0];
+        if(std::abs(area) <= rounding * (norm(db) + norm(dc)))
+          continue;
+        result = area / (du * dv);
+        if(result > 0)
+          return result;
       }
-    if(is_reversed)
-      report("orientation of the image", quad(q));
-    // between faces: what the step itself spans
-    const Location b = locate(q, u + step, v), c = locate(q, u, v + step);
-    return norm(cross(b.point - at.point, c.point - at.point)) / (step * step);
+    return result;
   }
 
   const Quad_mesh& m_layout;

@@ -82,6 +82,16 @@ std::vector<char> find_curve_joints(const Working_mesh& mesh, const BoundaryCurv
   return is_joint;
 }
 
+// One of several attempts at a field; the first one is that of `compute_cross_field()`.
+struct Field_attempt
+{
+  enum class Mesh { CHOSEN, OTHER }; // the proxy or the mesh itself, or the other one of these
+
+  double spacing = 1;                // see `Cross_field`
+  double proxy_refinement = 1;       // by how much the edges of the proxy are shorter than usual
+  Mesh mesh = Mesh::CHOSEN;
+};
+
 inline bool is_proxy_wanted(const Proxy_builder&, bool choice) { return choice; }
 
 inline bool is_proxy_wanted(const Proxy_builder& builder, internal_np::Param_not_found)
@@ -108,12 +118,13 @@ inline std::vector<Eigen::Vector3d> directions_on_proxy(const Cross_field& field
 // `field` as before, if no proxy is wanted or none is good enough. `choice`: the named parameter.
 template <typename Choice>
 bool build_cross_field_on_proxy(Cross_field& field, const std::vector<char>& is_kept,
-                                const Choice& choice)
+                                const Field_attempt& attempt, const Choice& choice)
 {
   const auto original = std::make_shared<const Working_mesh>(field.mesh);
-  Proxy_builder builder(original, field.size, is_kept);
+  Proxy_builder builder(original, field.size, is_kept, attempt.proxy_refinement);
   const auto proxy = std::make_shared<Proxy_mesh>();
-  if(!is_proxy_wanted(builder, choice) || !builder.build(*proxy))
+  const bool is_other = attempt.mesh == Field_attempt::Mesh::OTHER;
+  if(is_proxy_wanted(builder, choice) == is_other || !builder.build(*proxy))
     return false;
   Cross_field on_proxy;
   on_proxy.spacing = field.spacing;
@@ -176,10 +187,11 @@ bool read_wanted_directions(const TriangleMesh& tm, const CrossFieldMap& map,
   return true;
 }
 
-// See below; for the spacing, `Cross_field`.
+// See below.
 template <typename TriangleMesh, typename BoundaryCurveNetwork, typename NamedParameters>
 Error_code compute_cross_field(const TriangleMesh& tm, const BoundaryCurveNetwork& network,
-                               double spacing, Cross_field& field, const NamedParameters& np)
+                               const Field_attempt& attempt, Cross_field& field,
+                               const NamedParameters& np)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
@@ -189,7 +201,7 @@ Error_code compute_cross_field(const TriangleMesh& tm, const BoundaryCurveNetwor
   const auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
                                     get_const_property_map(vertex_point, tm));
   field = Cross_field();
-  field.spacing = spacing;
+  field.spacing = attempt.spacing;
   std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> vertex;
   const Error_code code = make_working_mesh(tm, network, vpm, field.mesh, vertex);
   if(code != Error_code::OK)
@@ -201,7 +213,7 @@ Error_code compute_cross_field(const TriangleMesh& tm, const BoundaryCurveNetwor
   if(!read_wanted_directions(tm, get_parameter(np, internal_np::cross_field_map),
                              field.wanted_direction))
     return Error_code::INVALID_PARAMETER;
-  if(build_cross_field_on_proxy(field, find_curve_joints(field.mesh, network),
+  if(build_cross_field_on_proxy(field, find_curve_joints(field.mesh, network), attempt,
                                 get_parameter(np, internal_np::use_proxy_mesh)))
     return Error_code::OK;
   return build_cross_field(field);
@@ -286,7 +298,7 @@ Error_code compute_cross_field(const TriangleMesh& tm, const BoundaryCurveNetwor
                                Cross_field& field,
                                const NamedParameters& np = parameters::default_values())
 {
-  return internal::compute_cross_field(tm, network, 1, field, np);
+  return internal::compute_cross_field(tm, network, internal::Field_attempt(), field, np);
 }
 
 } // namespace Surface_mesh_spline_conversion

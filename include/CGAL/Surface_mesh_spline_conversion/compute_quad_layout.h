@@ -18,6 +18,7 @@
 #include <CGAL/Surface_mesh_spline_conversion/compute_cross_field.h>
 #include <CGAL/Surface_mesh_spline_conversion/compute_integer_grid_map.h>
 #include <CGAL/Surface_mesh_spline_conversion/extract_quad_layout.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/layout/Inverse_map_check.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/layout/Padded_triangulation.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/map/make_working_mesh.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/named_parameters.h>
@@ -70,7 +71,7 @@ inline bool has_no_map(Error_code code)
          || code == Error_code::SINGULAR_SYSTEM || code == Error_code::DEGENERATE_MESH;
 }
 
-// One rung of the ladder of attempts to find a map: see `Cross_field` for the spacing.
+// One rung of the ladder of attempts to find a map on one mesh: see `Cross_field` for the spacing.
 struct Map_attempt
 {
   double spacing;
@@ -97,10 +98,14 @@ inline void append_attempts(const Cross_field& field, std::vector<Map_attempt>& 
   attempts.push_back(Map_attempt{spacing, number_of_rungs});
 }
 
-inline std::string describe(const Map_attempt& attempt, const Integer_grid_map& map)
+inline std::string describe(const Field_attempt& attempt, const Integer_grid_map& map)
 {
   std::string text;
   const auto add = [&text](const std::string& part) { text += (text.empty() ? "" : "; ") + part; };
+  if(attempt.proxy_refinement > 1)
+    add("edges of the proxy divided by " + std::to_string(std::lround(attempt.proxy_refinement)));
+  if(attempt.mesh == Field_attempt::Mesh::OTHER)
+    add(map.proxy ? "a proxy" : "no proxy");
   if(attempt.spacing < 1)
     add("spacing of singularities divided by " + std::to_string(std::lround(1 / attempt.spacing)));
   if(map.map.repairs > 0)
@@ -110,36 +115,95 @@ inline std::string describe(const Map_attempt& attempt, const Integer_grid_map& 
   return text.empty() ? "none" : text;
 }
 
-// Field and map, by the first attempt that succeeds.
-template <typename TriangleMesh, typename BoundaryCurveNetwork, typename Visitor,
-          typename NamedParameters>
-Error_code compute_field_and_map(const TriangleMesh& tm, const BoundaryCurveNetwork& network,
-                                 Cross_field& field, Integer_grid_map& map,
-                                 Conversion_report& report, Visitor& visitor,
-                                 const NamedParameters& np)
+// Field, map and quads, by the first attempt that succeeds. The projection from a proxy is judged
+// together with the quads: where their inverse map has folds, finer proxies are tried.
+template <typename TriangleMesh, typename BoundaryCurveNetwork, typename GeomTraits,
+          typename Visitor, typename NamedParameters>
+class Layout_ladder
 {
-  const std::string message = report.message;
-  const int few_repairs = 1;
-  std::vector<Map_attempt> attempts(1, Map_attempt{1, few_repairs});
-  Error_code code = Error_code::NO_SEAMLESS_MAP;
-  for(std::size_t i = 0; i < attempts.size() && has_no_map(code); ++i)
+public:
+  Layout_ladder(const TriangleMesh& tm, const BoundaryCurveNetwork& network,
+                Quad_layout<GeomTraits>& layout, Conversion_report& report, Visitor& visitor,
+                const NamedParameters& np)
+    : m_tm(tm), m_network(network), m_layout(layout), m_report(report), m_visitor(visitor),
+      m_np(np), m_message(report.message)
+  {}
+
+  Error_code run()
   {
-    const Map_attempt attempt = attempts[i];
-    report.message = message;
-    code = run_stage("cross_field", visitor, report, [&]()
-      { return compute_cross_field(tm, network, attempt.spacing, field, np); });
-    if(i == 0)
-      append_attempts(field, attempts);
-    if(code == Error_code::OK)
-      code = run_stage("integer_grid_map", visitor, report, [&]()
-        { return compute_integer_grid_map(field, attempt.most_repairs, map); });
-    if(code == Error_code::OK)
-      report.map.fallback = describe(attempt, map);
-    else if(has_no_map(code) && !map.message.empty())
-      report.message = map.message;
+    Error_code code = try_mesh(Field_attempt());
+    const bool has_proxy = m_field.proxy != nullptr;
+    std::vector<Field_attempt> attempts;
+    if(m_is_folded)
+      for(double refinement : {2., 4.})
+        attempts.push_back(Field_attempt{1, refinement, Field_attempt::Mesh::CHOSEN});
+    attempts.push_back(Field_attempt{1, 1, Field_attempt::Mesh::OTHER});
+    for(std::size_t i = 0; i < attempts.size() && has_no_map(code); ++i)
+    {
+      code = try_mesh(attempts[i]);
+      // the mesh itself has been tried: neither is there a finer proxy nor another choice
+      if(has_proxy && !m_field.proxy)
+        break;
+    }
+    return code;
   }
-  return code;
-}
+
+private:
+  Error_code try_mesh(Field_attempt on_mesh)
+  {
+    const int few_repairs = 1;
+    std::vector<Map_attempt> attempts(1, Map_attempt{1, few_repairs});
+    Error_code code = Error_code::NO_SEAMLESS_MAP;
+    m_is_folded = false;
+    for(std::size_t i = 0; i < attempts.size() && has_no_map(code) && !m_is_folded; ++i)
+    {
+      m_report.message = m_message;
+      on_mesh.spacing = attempts[i].spacing;
+      code = try_to_map(on_mesh, attempts[i].most_repairs);
+      if(i == 0)
+        append_attempts(m_field, attempts);
+      if(code == Error_code::OK)
+        code = run_stage("quad_layout", m_visitor, m_report, [&]() { return extract(); });
+      if(code == Error_code::OK)
+        m_report.map.fallback = describe(on_mesh, m_map);
+      else if(has_no_map(code) && !m_map.message.empty())
+        m_report.message = m_map.message;
+    }
+    return code;
+  }
+
+  Error_code try_to_map(const Field_attempt& attempt, int most_repairs)
+  {
+    m_map = Integer_grid_map();
+    const Error_code code = run_stage("cross_field", m_visitor, m_report, [&]()
+      { return compute_cross_field(m_tm, m_network, attempt, m_field, m_np); });
+    return code != Error_code::OK ? code
+      : run_stage("integer_grid_map", m_visitor, m_report, [&]()
+          { return compute_integer_grid_map(m_field, most_repairs, m_map); });
+  }
+
+  Error_code extract()
+  {
+    const Error_code code = extract_quad_layout(m_map, m_tm, m_network, m_layout, m_np);
+    m_is_folded = code == Error_code::OK && m_map.proxy
+      && !Inverse_map_check<GeomTraits>(m_layout, num_faces(m_tm)).is_orientation_kept();
+    if(!m_is_folded)
+      return code;
+    m_map.message = "the projection from the proxy to the mesh has folds";
+    return Error_code::NO_QUAD_LAYOUT;
+  }
+
+  const TriangleMesh& m_tm;
+  const BoundaryCurveNetwork& m_network;
+  Quad_layout<GeomTraits>& m_layout;
+  Conversion_report& m_report;
+  Visitor& m_visitor;
+  const NamedParameters& m_np;
+  const std::string m_message; // of the report before
+  Cross_field m_field;
+  Integer_grid_map m_map;
+  bool m_is_folded = false;    // the last layout
+};
 
 // the quads of an integer grid map
 template <typename TriangleMesh, typename BoundaryCurveNetwork, typename GeomTraits,
@@ -148,13 +212,8 @@ Error_code compute_mapped_layout(const TriangleMesh& tm, const BoundaryCurveNetw
                                  Quad_layout<GeomTraits>& layout, Conversion_report& report,
                                  Visitor& visitor, const NamedParameters& np)
 {
-  Cross_field field;
-  Integer_grid_map map;
-  const Error_code code = compute_field_and_map(tm, network, field, map, report, visitor, np);
-  if(code != Error_code::OK)
-    return code;
-  return run_stage("quad_layout", visitor, report, [&]()
-    { return extract_quad_layout(map, tm, network, layout, np); });
+  return Layout_ladder<TriangleMesh, BoundaryCurveNetwork, GeomTraits, Visitor, NamedParameters>(
+    tm, network, layout, report, visitor, np).run();
 }
 
 } // namespace internal
@@ -166,7 +225,9 @@ computes a quad layout of a triangle mesh: a cross field, an integer grid map th
 the quads of this map.
 
 Where the map fails, singularities are moved, and quads that are larger than the features of the
-shape are given singularities at smaller distances. What cannot fail comes last: the mesh is
+shape are given singularities at smaller distances. Where the projection from a proxy turns out to
+have folds, finer proxies are tried; then the mesh itself in place of a proxy, or the other way
+round. What cannot fail comes last: the mesh is
 coarsened, a ring of quads is laid along each boundary loop, and each triangle in between is divided
 into three quads. Such a layout is valid, but has many extraordinary points; its corners are regular
 vertices even where the boundary is convex.

@@ -88,8 +88,8 @@ Quad_layout<GeomTraits> make_layout(const Quad_grid& grid, const Working_mesh& m
   return layout;
 }
 
-// Sets the points of the vertices: those at the first `n` vertices of the mesh exactly, others by the
-// inverse map.
+// Sets the points of the vertices: those at the boundary exactly where they are among the first `n`
+// vertices of the mesh, others by the inverse map.
 template <typename GeomTraits>
 void set_points(const Quad_grid& grid, const Working_mesh& mesh, int n,
                 Quad_layout<GeomTraits>& layout)
@@ -99,7 +99,7 @@ void set_points(const Quad_grid& grid, const Working_mesh& mesh, int n,
       layout.set_point(layout.vertex(q, i),
                        layout.inverse_map()(q, i == 1 || i == 2, i >= 2).point);
   for(int v = 0; v < grid.number_of_vertices(); ++v)
-    if(grid.mesh_vertex[v] >= 0 && grid.mesh_vertex[v] < n)
+    if(grid.is_border_vertex[v] && grid.mesh_vertex[v] >= 0 && grid.mesh_vertex[v] < n)
     {
       const Eigen::Vector3d& p = mesh.points[grid.mesh_vertex[v]];
       layout.set_point(v, typename GeomTraits::Point_3(p[0], p[1], p[2]));
@@ -140,8 +140,9 @@ the mesh, the pieces of the boundary below them, and the inverse map.
 
 All decisions are exact, and the result is checked: it has the Euler characteristic of the mesh, its
 irregular vertices are the singularities of the map, corners of the boundary are vertices, and the
-boundary sides cover each boundary chain once. Vertices at vertices of the mesh have exactly their
-points. The inverse map is continuous up to rounding and maps no two quads to the same place. It is
+boundary sides cover each boundary chain once. Vertices at boundary vertices of the mesh have exactly
+their points. Extraordinary points need not lie at vertices of the mesh: they, and the quads around,
+are moved such that the angles at them become nearly equal. The inverse map is continuous up to rounding and maps no two quads to the same place. It is
 piecewise linear if the map has been solved again (`Integer_grid_map::is_resolved`) and there is no
 proxy. With a proxy, its points are projected to the mesh along normals that are interpolated on the
 proxy, and those of the boundary by arc length.
@@ -187,6 +188,7 @@ Error_code extract_quad_layout(const Integer_grid_map& map, const TriangleMesh& 
   internal::Mapped_quads quads;
   if(*quads.build(map) != 0)
     return Error_code::NO_QUAD_LAYOUT;
+  quads.smooth_at_cones(map);
   const auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
                                     get_const_property_map(vertex_point, tm));
   const internal::Working_mesh& mesh = map.map.mesh;

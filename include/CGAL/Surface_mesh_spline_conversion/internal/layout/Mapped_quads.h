@@ -13,6 +13,7 @@
 
 #include <CGAL/Surface_mesh_spline_conversion/Integer_grid_map.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/layout/Boundary_positions.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/layout/Cone_smoothing.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/layout/Integer_grid_cells.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/layout/Quad_grid.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/layout/Quad_grid_check.h>
@@ -37,16 +38,30 @@ public:
     m_locator = Triangle_locator();
     m_places.clear();
     m_shears.clear();
+    m_smoothing = Cone_smoothing();
     const Boundary_positions positions(igm.map);
     const char* failure = igm.is_resolved ? build_from_cells(igm, positions)
                                           : build_from_rectangles(igm, positions);
     return *failure ? failure : Quad_grid_check(igm.map, positions, m_quads).run();
   }
 
+  // Moves the quads around singularities, where this makes them better shaped.
+  void smooth_at_cones(const Integer_grid_map& igm)
+  {
+    m_smoothing = Cone_smoothing(igm.map, m_quads, [this](int quad, double u, double v)
+      { return locate(quad, u, v); });
+  }
+
   const Quad_grid& quads() const { return m_quads; }
 
   // the point of the working mesh at the local coordinates (u,v) of a quad
   Working_location operator()(std::size_t quad, double u, double v) const
+  {
+    return m_smoothing(locate(quad, u, v));
+  }
+
+private:
+  Working_location locate(std::size_t quad, double u, double v) const
   {
     if(m_places.empty())
       return m_locator(quad, u, v);
@@ -57,7 +72,6 @@ public:
     return m_locator(quad, x, shears.y(x, t));
   }
 
-private:
   const char* build_from_cells(const Integer_grid_map& igm, const Boundary_positions& positions)
   {
     return Integer_grid_cells(igm.map, positions, m_quads, m_locator).build();
@@ -78,6 +92,7 @@ private:
   Triangle_locator m_locator;
   std::vector<Rectangle_composition::Quad_place> m_places; // per quad, empty for integer grid maps
   std::vector<Rectangle_shears> m_shears;                  // per rectangle
+  Cone_smoothing m_smoothing;
 };
 
 } // namespace internal

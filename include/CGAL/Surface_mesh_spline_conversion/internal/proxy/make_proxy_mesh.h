@@ -38,10 +38,12 @@ class Proxy_builder
 {
 public:
   // `size`: per vertex of `original`, which has no ears, the wanted edge length of the quads;
-  // `is_kept`: the vertices that the proxy must have besides the corners
+  // `is_kept`: the vertices that the proxy must have besides the corners; `refinement`: by how much
+  // the edges are shorter than usual
   Proxy_builder(std::shared_ptr<const Working_mesh> original, const std::vector<double>& size,
-                const std::vector<char>& is_kept)
-    : m_shared_original(original), m_original(*original), m_size(size), m_is_kept(is_kept)
+                const std::vector<char>& is_kept, double refinement)
+    : m_shared_original(original), m_original(*original), m_size(size), m_is_kept(is_kept),
+      m_refinement(refinement)
   {}
 
   // Is the mesh much finer than the quads, or does it have many badly shaped triangles?
@@ -53,7 +55,7 @@ public:
     for(int f = 0; f < m_original.number_of_faces(); ++f)
     {
       const Eigen::Vector3d n = m_original.normal(f);
-      wanted_faces += n.norm() / 2 / equilateral_area(face_size(f) / edges_per_quad);
+      wanted_faces += n.norm() / 2 / equilateral_area(face_size(f) / edges_per_quad / m_refinement);
       const std::array<int, 3>& t = m_original.triangles[f];
       if(triangle_shape(m_original.points[t[0]], m_original.points[t[1]],
                         m_original.points[t[2]], n) < sliver)
@@ -115,6 +117,8 @@ private:
                                     (std::min)(mean, longest_per_quad * size)));
     limit_by_components();
     limit_by_loops();
+    for(double& length : m_length)
+      length /= m_refinement;
     limit_gradation(m_original, gradation, m_length);
   }
 
@@ -363,6 +367,7 @@ private:
   const Working_mesh& m_original;
   const std::vector<double>& m_size;
   std::vector<char> m_is_kept;
+  double m_refinement;
   std::vector<double> m_length; // per vertex of the original: wanted edge length of the proxy
 };
 
