@@ -22,7 +22,7 @@ set(rules
   export  "^(NURBS_shell_3|Knot_vector|extract_NURBS_faces|find_boundary_vertices|measure_deviation)\\.h$"
   export  "^internal/(caps|export)/"
   # boundary representations of Open CASCADE
-  curves  "^associate_boundary_with_BRep\\.h$|^internal/open_cascade/(Edge_on_surface|Curve_set|Free_edges)\\.h$"
+  curves  "^(associate_boundary_with_BRep|Free_edge_normals_3)\\.h$|^internal/open_cascade/(Edge_on_surface|Curve_set|Free_edges)\\.h$"
   export  "^((stitch_with|measure)_BRep|try_BRep_operation)\\.h$|^internal/open_cascade/"
   curves  "_traits_3\\.h$|^(Boundary_curve_network_3|Curve_segment|NURBS_curve_3)\\.h$"
   curves  "^(Elementary_surface_3|Curve_joint|Conversion_case|interpolate_boundary_curves)\\.h$"

@@ -130,9 +130,9 @@ Mesh_defect read_mesh_with_residual(const Options& options, Case& input,
 Mesh_defect read_input(const Options& options, Case& input, std::vector<std::string>& warnings)
 {
   const bool has_residual = !options.residual.empty();
-  if((has_residual || !options.stitched.empty()) && !has_open_cascade)
-    return {SC::Error_code::INVALID_PARAMETER,
-            "--stitched and --residual are not available in this build: they need Open CASCADE"};
+  if((has_residual || options.is_tangent || !options.stitched.empty()) && !has_open_cascade)
+    return {SC::Error_code::INVALID_PARAMETER, "--stitched, --residual, and --tangent are not "
+            "available in this build: they need Open CASCADE"};
   if(is_mesh_file(options.input))
   {
     if(has_residual)
@@ -163,8 +163,27 @@ void name_worst_curve(const Case& input, const Network& network, Report::Boundar
   boundary.worst_parameter = place.parameter;
 }
 
+// The normals of the residual model along the curves of the case; none if they are not asked for.
+typedef std::function<K::Vector_3(const Case::Curve_3&, const K::FT&)> Curve_normals;
+
+std::string read_curve_normals(const Options& options, const Case& input, Curve_normals& normals)
+{
+  if(!options.is_tangent)
+    return std::string();
+  if(input.residual_file.empty())
+    return "--tangent needs a residual model";
+  Normal_function normal;
+  const std::string error = read_normals(input.residual_file, input.unit, normal);
+  const auto point = input.traits.construct_point_on_curve_3_object();
+  const auto derivative = input.traits.construct_derivative_on_curve_3_object();
+  normals = [normal, point, derivative](const Case::Curve_3& curve, const K::FT& t)
+  { return normal(point(curve, t), derivative(curve, t, 1)); };
+  return error;
+}
+
 // Converts, and writes whatever came out.
 Exit_code convert_and_write(const Options& options, const Case& input,
+                            const Curve_normals& normals,
                             const std::vector<std::string>& warnings)
 {
   const Resolution resolution = find_resolution(options, input.mesh);
@@ -178,6 +197,7 @@ Exit_code convert_and_write(const Options& options, const Case& input,
       .quad_size_map(resolution.quad_size)
       .error_metric(resolution.error_metric)
       .maximum_number_of_patches(resolution.maximum_number_of_patches)
+      .boundary_tangency(normals)
       .vertex_is_constrained_map(input.vertex_is_corner_map())
       .visitor(std::ref(visitor)));
   const Network network(input.mesh, input.halfedge_curve_map(), input.traits,
@@ -211,7 +231,11 @@ Exit_code run(const Options& options)
   const Mesh_defect defect = read_input(options, input, report.warnings);
   if(defect.code != SC::Error_code::OK)
     return stop(options, report, defect.code, defect.message);
-  return convert_and_write(options, input, report.warnings);
+  Curve_normals normals;
+  const std::string normal_error = read_curve_normals(options, input, normals);
+  if(!normal_error.empty())
+    return stop(options, report, SC::Error_code::INVALID_PARAMETER, normal_error);
+  return convert_and_write(options, input, normals, report.warnings);
 }
 
 int main(int argc, char* argv[])

@@ -49,13 +49,14 @@ PACKAGE_PARAMETER(7, do_merge_patches)
 PACKAGE_PARAMETER(8, boundary_vertices)
 PACKAGE_PARAMETER(9, use_proxy_mesh)
 PACKAGE_PARAMETER(10, cross_field_map)
-PARAMETER(11, vertex_point, vertex_point_map)
-PARAMETER(12, geom_traits, geom_traits)
-PARAMETER(13, vertex_is_constrained, vertex_is_constrained_map)
-PARAMETER(14, visitor, visitor)
-PARAMETER(15, verbose, verbose)
-PARAMETER(16, number_of_iterations, number_of_iterations)
-const int number_of_parameters = 17;
+PACKAGE_PARAMETER(11, boundary_tangency)
+PARAMETER(12, vertex_point, vertex_point_map)
+PARAMETER(13, geom_traits, geom_traits)
+PARAMETER(14, vertex_is_constrained, vertex_is_constrained_map)
+PARAMETER(15, visitor, visitor)
+PARAMETER(16, verbose, verbose)
+PARAMETER(17, number_of_iterations, number_of_iterations)
+const int number_of_parameters = 18;
 
 // checks that parameter i is found if and only if it is among `given`
 template <int i, int... given, typename NamedParameters>

@@ -33,6 +33,7 @@ struct Options
   std::size_t maximum_number_of_patches = 200000; // the default of the library
   std::string error_metric = "reprojected";
   bool do_merge = true;
+  bool is_tangent = false;
   bool is_quiet = false;
   bool asks_for_help = false;
 };
@@ -56,6 +57,7 @@ inline const char* usage()
     "  --stitched F.step  stitch with the residual model to a solid (or F.brep)\n"
     "  --residual F.step  the residual model: that of a mesh, or instead of that of the case;\n"
     "                     a mesh gets the curves of its free edges\n"
+    "  --tangent          make the surface tangent to the faces of the residual model\n"
     "  --threads N        at most N threads (all cores; one if built without TBB)\n"
     "  --max-patches N    stop refining at this number of patches\n"
     "  --error-metric M   parametric, reprojected (default), or hausdorff\n"
@@ -124,6 +126,7 @@ inline std::string parse_options(const std::vector<std::string>& arguments, Opti
      word(options.error_metric, {"parametric", "reprojected", "hausdorff"})}};
   const std::map<std::string, std::function<void()> > switches = {
     {"--relative", [&options] { options.is_relative = true; }},
+    {"--tangent", [&options] { options.is_tangent = true; }},
     {"--no-merge", [&options] { options.do_merge = false; }},
     {"--quiet", [&options] { options.is_quiet = true; }},
     {"--help", [&options] { options.asks_for_help = true; }}};

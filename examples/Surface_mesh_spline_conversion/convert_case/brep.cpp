@@ -2,6 +2,7 @@
 
 #include "brep.h"
 
+#include <CGAL/Surface_mesh_spline_conversion/Free_edge_normals_3.h>
 #include <CGAL/Surface_mesh_spline_conversion/Open_cascade_curve_traits_3.h>
 #include <CGAL/Surface_mesh_spline_conversion/associate_boundary_with_BRep.h>
 #include <CGAL/Surface_mesh_spline_conversion/stitch_with_BRep.h>
@@ -13,6 +14,7 @@
 
 #include <algorithm>
 #include <map>
+#include <memory>
 #include <utility>
 
 namespace {
@@ -99,6 +101,27 @@ std::string associate_with_residual(const Brep_mesh& mesh, const std::string& re
   try
   {
     return associate(mesh, residual, segments);
+  }
+  catch(const Standard_Failure& failure)
+  {
+    return failure_message(failure);
+  }
+}
+
+std::string read_normals(const std::string& residual, const std::string& unit,
+                         Normal_function& normal)
+{
+  try
+  {
+    TopoDS_Shape shape;
+    std::string message;
+    if(!CGAL::IO::read_BRep(residual, shape, message))
+      return message;
+    const double scale = millimetres(unit);
+    const SC::Free_edge_normals_3<K> normals(shape);
+    normal = [normals, scale](const K::Point_3& p, const K::Vector_3& tangent)
+    { return normals(CGAL::ORIGIN + scale * (p - CGAL::ORIGIN), tangent); };
+    return std::string();
   }
   catch(const Standard_Failure& failure)
   {

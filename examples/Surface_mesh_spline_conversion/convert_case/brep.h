@@ -10,6 +10,7 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,11 @@ typedef CGAL::Surface_mesh_spline_conversion::NURBS_shell_3<CGAL::Simple_cartesi
 typedef CGAL::Surface_mesh_spline_conversion::Curve_segment<
   CGAL::Surface_mesh_spline_conversion::Function_curve_traits_3<CGAL::Simple_cartesian<double> > >
   Function_segment;
+
+// The normal of the face of a residual model at a point of a free edge with a given tangent.
+typedef CGAL::Simple_cartesian<double> Brep_kernel;
+typedef std::function<Brep_kernel::Vector_3(const Brep_kernel::Point_3&,
+                                            const Brep_kernel::Vector_3&)> Normal_function;
 
 struct Stitching_task
 {
@@ -38,6 +44,10 @@ std::string associate_with_residual(const Brep_mesh& mesh, const std::string& re
                                     std::vector<Function_segment>& segments,
                                     std::vector<char>& corners);
 
+// Reads the normals along the free edges, for points in a unit; returns what is wrong, or nothing.
+std::string read_normals(const std::string& residual, const std::string& unit,
+                         Normal_function& normal);
+
 // Returns what prevented the output from being written, or nothing.
 std::string stitch_and_write(const Brep_shell& shell, const Stitching_task& task,
                              CGAL::Surface_mesh_spline_conversion::Stitching_report& report);
@@ -48,6 +58,11 @@ constexpr bool has_open_cascade = false;
 
 inline std::string associate_with_residual(const Brep_mesh&, const std::string&,
                                            std::vector<Function_segment>&, std::vector<char>&)
+{
+  return "Open CASCADE is missing";
+}
+
+inline std::string read_normals(const std::string&, const std::string&, Normal_function&)
 {
   return "Open CASCADE is missing";
 }

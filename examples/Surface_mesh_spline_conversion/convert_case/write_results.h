@@ -179,6 +179,8 @@ bool write_faces(const Options& options, const Network& network,
   if(!options.vtk.empty())
     is_written = check(CGAL::IO::write_VTU(options.vtk, shell), options.vtk) && is_written;
   report.add_time("export", timer.time());
+  // Open CASCADE may crash: what is known must be on the disk then
+  is_written = write_report(options, report) && is_written;
   return write_stitched(options, shell, residual, information.unit, closeness, report)
       && is_written;
 }

@@ -99,6 +99,10 @@ struct Conversion_report
   {
     /// largest angle between the normals on both sides of an inner edge
     double max_normal_angle_degrees = not_measured;
+    /// largest angle between the normals of the surface and those it was to have along the boundary
+    double max_tangency_angle_degrees = not_measured;
+    /// number of ends of curves where the two curves at the corner exclude the wanted normal
+    size_type tangency_conflicts = 0;
   };
 
   /// describes the integer grid map and the quads of its layout, see `measure_layout_quality()`.

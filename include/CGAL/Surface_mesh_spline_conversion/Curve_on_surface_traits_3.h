@@ -14,6 +14,7 @@
 #include <CGAL/Surface_mesh_spline_conversion/Elementary_surface_3.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/curves/B_spline.h>
 
+#include <CGAL/Kernel/global_functions.h>
 #include <CGAL/assertions.h>
 
 #include <array>
@@ -114,6 +115,27 @@ public:
     }
   }
 
+  /// returns a unit normal of the surface at the point at `t`; the null vector where the surface is
+  /// singular.
+  Vector_3 normal(const FT& t) const
+  {
+    CGAL_precondition(!is_empty());
+    Coordinates<1> p = m_data->spline.template evaluate<1>(t);
+    if(m_data->is_rational)
+      for(int i = 0; i < 2; ++i)
+        p[i] = p[i] / p[2];
+    std::array<Vector_3, 2> derivatives; // by the parameters of the surface
+    for(int i = 0; i < 2; ++i)
+    {
+      p[i].c[1] = FT(1);
+      p[1 - i].c[1] = FT(0);
+      derivatives[i] = vector(m_data->surface.evaluate(p[0], p[1]), 1);
+    }
+    const Vector_3 normal = CGAL::cross_product(derivatives[0], derivatives[1]);
+    const FT length = std::sqrt(normal.squared_length());
+    return length > FT(0) ? normal / length : Vector_3(FT(0), FT(0), FT(0));
+  }
+
   /// returns `true` if both handles refer to the same data.
   friend bool operator==(const Curve_on_surface_3& a, const Curve_on_surface_3& b)
   {
@@ -193,6 +215,12 @@ public:
     }
   };
 
+  /// returns a unit normal of the surface along a curve.
+  struct Construct_normal_on_curve_3
+  {
+    Vector_3 operator()(const Curve_3& curve, const FT& t) const { return curve.normal(t); }
+  };
+
   Construct_point_on_curve_3 construct_point_on_curve_3_object() const
   {
     return Construct_point_on_curve_3();
@@ -201,6 +229,11 @@ public:
   Construct_derivative_on_curve_3 construct_derivative_on_curve_3_object() const
   {
     return Construct_derivative_on_curve_3();
+  }
+
+  Construct_normal_on_curve_3 construct_normal_on_curve_3_object() const
+  {
+    return Construct_normal_on_curve_3();
   }
 };
 

@@ -101,6 +101,17 @@ mesh to T-NURCC surface conversion*, Computers & Graphics 82 (2019).
                     value type}
     \cgalParamDefault{no vertex}
   \cgalParamNEnd
+  \cgalParamNBegin{boundary_tangency}
+    \cgalParamDescription{a functor that returns the unit normal of the neighboring face at a point of
+                           a boundary curve; the surface becomes tangent to the face there. It returns
+                           the null vector where the surface need not be tangent to a face. The report
+                           tells the largest angle that remains. At a corner whose two curves exclude
+                           the normal, the surface is tangent behind the first patch only.}
+    \cgalParamType{a class with the operator `Vector_3 operator()(const Curve_3& c, const FT& t) const`,
+                    with the types of `BoundaryCurveTraits`, for instance
+                    `Curve_on_surface_traits_3::Construct_normal_on_curve_3`}
+    \cgalParamDefault{no normals}
+  \cgalParamNEnd
   \cgalParamNBegin{error_metric}
     \cgalParamDescription{how the distance between surface and mesh is measured during the fit}
     \cgalParamType{`Error_metric`}
@@ -178,7 +189,10 @@ Error_code convert_to_T_NURCC(const TriangleMesh& tm, const HalfedgeCurveMap& ha
   internal::Converter<TriangleMesh, std::decay_t<decltype(vpm)>, BoundaryCurveTraits,
                       std::decay_t<decltype(size_map)>, std::decay_t<decltype(cross_field_map)>,
                       T_NURCC_surface_3<K>, Visitor>
-    converter(tm, vpm, network, size_map, cross_field_map, options, visitor, surfaces, report);
+    converter(tm, vpm, network, size_map, cross_field_map, options,
+              internal::normal_function<BoundaryCurveTraits>(
+                get_parameter(np, internal_np::boundary_tangency)),
+              visitor, surfaces, report);
   report.status = converter(halfedge_curve_map);
   return report.status;
 }

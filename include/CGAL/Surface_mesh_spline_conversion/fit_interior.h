@@ -62,6 +62,15 @@ distance is measured at the nodes of a 9x9 grid per patch, after the last fit.
     \cgalParamType{`Error_metric`}
     \cgalParamDefault{`Error_metric::REPROJECTED`}
   \cgalParamNEnd
+  \cgalParamNBegin{boundary_tangency}
+    \cgalParamDescription{a functor that returns the unit normal of the neighboring face at a point of
+                           a boundary curve; the surface becomes tangent to the face there. It returns
+                           the null vector where the surface need not be tangent to a face.}
+    \cgalParamType{a class with the operator `Vector_3 operator()(const Curve_3& c, const FT& t) const`,
+                    with the types of the traits of the curves, for instance
+                    `Curve_on_surface_traits_3::Construct_normal_on_curve_3`}
+    \cgalParamDefault{no normals}
+  \cgalParamNEnd
   \cgalParamNBegin{maximum_number_of_patches}
     \cgalParamDescription{the surface is not refined if it would have more patches than that}
     \cgalParamType{`std::size_t`}
@@ -99,8 +108,10 @@ Error_code fit_interior(Surface& surface, const Target& target, Conversion_repor
     report.message = "a tolerance is not a positive number";
     return Error_code::INVALID_PARAMETER;
   }
-  return internal::Interior_fitter<Surface, Target, Visitor>(surface, target, options,
-                                                             boundary_options, visitor, report)();
+  const internal::Boundary_normals<Target> normals = internal::boundary_normals(
+    target, parameters::get_parameter(np, internal_np::boundary_tangency));
+  return internal::Interior_fitter<Surface, Target, Visitor>(
+    surface, target, options, boundary_options, normals, visitor, report)();
 }
 
 } // namespace Surface_mesh_spline_conversion

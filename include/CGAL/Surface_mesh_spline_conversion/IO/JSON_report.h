@@ -74,6 +74,8 @@ inline void write_JSON_counts(JSON_writer& json, const Conversion_report& report
   json.close('}');
   json.open("smoothness", '{');
   json.member("max_normal_angle_degrees", report.smoothness.max_normal_angle_degrees);
+  json.member("max_tangency_angle_degrees", report.smoothness.max_tangency_angle_degrees);
+  json.member("tangency_conflicts", report.smoothness.tangency_conflicts);
   json.close('}');
 }
 

@@ -65,11 +65,12 @@ class Converter
 public:
   Converter(const TriangleMesh& tm, const VertexPointMap& vpm, const Network& network,
             const SizeMap& size_map, const CrossFieldMap& cross_field_map,
-            const Conversion_options& options, Visitor& visitor, std::vector<Surface>& surfaces,
-            Conversion_report& report)
+            const Conversion_options& options,
+            const Normal_function<BoundaryCurveTraits>& normals, Visitor& visitor,
+            std::vector<Surface>& surfaces, Conversion_report& report)
     : m_tm(tm), m_vpm(vpm), m_network(network), m_size_map(size_map)
-    , m_cross_field_map(cross_field_map), m_options(options), m_visitor(visitor)
-    , m_surfaces(surfaces), m_report(report)
+    , m_cross_field_map(cross_field_map), m_options(options), m_normals(normals)
+    , m_visitor(visitor), m_surfaces(surfaces), m_report(report)
   {}
 
   // `curves`: the property map of the curve segments of the halfedges
@@ -183,7 +184,7 @@ private:
       return result;
     Interior_fitter<Surface, Target, Visitor> fitter(
       surface, target, interior_fit_options(target, np), boundary_fit_options(target, np),
-      m_visitor, part);
+      boundary_normals(target, m_normals), m_visitor, part);
     const Error_code interior = fit_interior(fitter, surface, component, network, part);
     if(!is_surface(interior))
       return interior;
@@ -290,6 +291,7 @@ private:
   SizeMap m_size_map;
   CrossFieldMap m_cross_field_map;
   Conversion_options m_options;
+  Normal_function<BoundaryCurveTraits> m_normals;
   Visitor& m_visitor;
   std::vector<Surface>& m_surfaces;
   Conversion_report& m_report;

@@ -27,6 +27,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <type_traits>
 
@@ -43,6 +44,21 @@ struct Conversion_options
   Error_metric error_metric;
   std::size_t maximum_number_of_patches;
 };
+
+// the normals beyond the boundary that the user gave, or an empty function
+template <typename BoundaryCurveTraits>
+using Normal_function
+  = std::function<typename BoundaryCurveTraits::Vector_3(
+      const typename BoundaryCurveTraits::Curve_3&, const typename BoundaryCurveTraits::FT&)>;
+
+template <typename BoundaryCurveTraits, typename Normal>
+Normal_function<BoundaryCurveTraits> normal_function(const Normal& normal)
+{
+  if constexpr(std::is_same<Normal, internal_np::Param_not_found>::value)
+    return Normal_function<BoundaryCurveTraits>();
+  else
+    return normal;
+}
 
 inline Error_code fail(Error_code code, const std::string& message, Conversion_report& report)
 {

@@ -142,6 +142,9 @@ inline void merge_reports(const Conversion_report& part, Conversion_report& whol
   merge_counts(part.counts, whole.counts);
   whole.smoothness.max_normal_angle_degrees
     = larger(whole.smoothness.max_normal_angle_degrees, part.smoothness.max_normal_angle_degrees);
+  whole.smoothness.max_tangency_angle_degrees = larger(
+    whole.smoothness.max_tangency_angle_degrees, part.smoothness.max_tangency_angle_degrees);
+  whole.smoothness.tangency_conflicts += part.smoothness.tangency_conflicts;
   merge_iterations(part, whole);
   whole.warnings.insert(whole.warnings.end(), part.warnings.begin(), part.warnings.end());
   for(const Conversion_report::Stage& stage : part.stages)

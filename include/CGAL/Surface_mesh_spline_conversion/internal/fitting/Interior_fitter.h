@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/Boundary_fitter.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/Interior_samples.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/Interior_system.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/fitting/boundary_tangency.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/corner_tangents.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/fit_parameters.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/format_number.h>
@@ -53,10 +54,12 @@ class Interior_fitter
 
 public:
   Interior_fitter(Surface& surface, const Target& target, const Interior_fit_options& options,
-                  const Boundary_fit_options& boundary_options, Visitor& visitor,
+                  const Boundary_fit_options& boundary_options,
+                  const Boundary_normals<Target>& boundary_normals, Visitor& visitor,
                   Conversion_report& report)
     : m_surface(surface), m_target(target), m_options(options),
-      m_boundary_options(boundary_options), m_visitor(visitor), m_report(report)
+      m_boundary_options(boundary_options), m_boundary_normals(boundary_normals),
+      m_visitor(visitor), m_report(report)
   {}
 
   Error_code operator()()
@@ -69,9 +72,12 @@ public:
       if(code != Error_code::OK)
         return code;
       record(timer.time());
-      if(m_largest.error < m_options.tolerance)
+      const bool is_met = m_largest.error < m_options.tolerance;
+      const std::vector<Patch_split> splits
+        = is_met ? splits_for_tangency() : m_error->violations(m_options.tolerance);
+      if(is_met && (splits.empty() || !can_refine(splits)))
         return m_boundary_code;
-      code = refine(m_error->violations(m_options.tolerance));
+      code = refine(splits);
       if(code != Error_code::OK)
         return code;
     }
@@ -108,6 +114,19 @@ private:
   {
     m_report.message = message;
     return code;
+  }
+
+  // The patches along the boundary are halved that many times at most where the surface is not tangent
+  // to the face beyond it; each time divides the angle by sixteen.
+  static constexpr int maximum_number_of_tangency_refinements = 2;
+
+  // while the normals along the boundary are not the wanted ones
+  std::vector<Patch_split> splits_for_tangency()
+  {
+    if(m_tangency_refinements == maximum_number_of_tangency_refinements)
+      return std::vector<Patch_split>();
+    ++m_tangency_refinements;
+    return m_tangency_splits;
   }
 
   bool can_refine(const std::vector<Patch_split>& splits) const
@@ -150,6 +169,9 @@ private:
     Samples& samples = *m_samples;
     std::vector<bool> is_fixed = boundary_control_points();
     Corner_tangents<Surface, Target>(m_surface, m_target)(is_fixed);
+    if(m_boundary_normals && !fit_tangency(samples, is_fixed))
+      return fail(Error_code::SINGULAR_SYSTEM, "the second row of control points could not be "
+                  "determined");
     System system(samples, is_fixed);
     if(!system.is_valid() || !solve(system, first_accuracy))
       return fail(Error_code::SINGULAR_SYSTEM, "the control points could not be determined");
@@ -166,6 +188,20 @@ private:
                              m_options.error_metric == Error_metric::PARAMETRIC));
     m_largest = m_error->largest();
     return Error_code::OK;
+  }
+
+  // fits the second row of control points to the target, then to the normals along the boundary
+  bool fit_tangency(const Samples& samples, std::vector<bool>& is_fixed)
+  {
+    System system(samples, is_fixed);
+    if(!system.is_valid() || !solve(system, first_accuracy))
+      return false;
+    Boundary_tangency<Surface, Target> tangency(m_surface, m_target, m_boundary_normals);
+    if(!tangency(is_fixed))
+      return false;
+    m_report.smoothness.max_tangency_angle_degrees = tangency.measure(m_tangency_splits);
+    m_report.smoothness.tangency_conflicts = tangency.number_of_conflicts();
+    return true;
   }
 
   // the boundary curves belong to the boundary fit (paper, section 3.3)
@@ -212,6 +248,7 @@ private:
   const Target& m_target;
   Interior_fit_options m_options;
   Boundary_fit_options m_boundary_options;
+  Boundary_normals<Target> m_boundary_normals;
   Visitor& m_visitor;
   Conversion_report& m_report;
   std::unique_ptr<Samples> m_samples; // at the last refinement level
@@ -219,6 +256,8 @@ private:
   Largest_error m_largest;
   Error_code m_boundary_code = Error_code::OK; // of the last fit of the boundary
   size_type m_iteration = 0;
+  std::vector<Patch_split> m_tangency_splits; // of patches that are not tangent
+  int m_tangency_refinements = 0;
 };
 
 } // namespace internal
