@@ -165,7 +165,8 @@ void test_improvement()
   assert(SC::fit_boundary(surface, target, report, np) == SC::Error_code::OK);
   report = SC::Conversion_report();
   Fitter fitter(surface, target, SC::internal::interior_fit_options(target, np),
-                SC::internal::boundary_fit_options(target, np), visitor, report);
+                SC::internal::boundary_fit_options(target, np),
+                SC::internal::Boundary_normals<Smooth_target>(), visitor, report);
   assert(fitter() == SC::Error_code::OK && surface.number_of_patches() == 64);
   const std::size_t quad = 3 * 8 + 4;
   const Point place = surface.position(surface.patch_at(quad, 0.3, 0.6), 0.3, 0.6);
