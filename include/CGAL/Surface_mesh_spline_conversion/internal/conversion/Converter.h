@@ -26,6 +26,7 @@
 #include <CGAL/Surface_mesh_spline_conversion/internal/conversion/merge_reports.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/Interior_fitter.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/fit_parameters.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/fitting/format_number.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/named_parameters.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/run_stage.h>
 #include <CGAL/Surface_mesh_spline_conversion/measure_deviation.h>
@@ -209,7 +210,10 @@ private:
         deviation.normal_violations.clear();
       if(code != Error_code::OK || round == maximum_number_of_improvements
          || (deviation.interior_violations.empty() && deviation.normal_violations.empty()))
+      {
+        warn_about_normals(deviation, part);
         return code == Error_code::OK ? measured : code;
+      }
       part.message = message;
       code = run("fit_interior", part, [&]()
         { return fitter.improve(deviation.interior_violations, deviation.normal_violations); });
@@ -257,6 +261,19 @@ private:
     }
   }
 
+  static void warn_about_normals(const Deviation<Kernel>& deviation, Conversion_report& part)
+  {
+    const double largest_angle = 1; // in degrees
+    if(!(deviation.normal_angle_maximum > largest_angle))
+      return;
+    const Point_3& p = deviation.normal_angle_worst;
+    part.warnings.push_back("the normals of two faces differ by "
+      + format_number(CGAL::to_double(deviation.normal_angle_maximum)) + " degrees at ("
+      + format_number(CGAL::to_double(p.x())) + ", " + format_number(CGAL::to_double(p.y())) + ", "
+      + format_number(CGAL::to_double(p.z())) + "): a larger interior tolerance or another quad size "
+      "may give a smoother surface");
+  }
+
   // The fits have the last word on the tolerances of the surface; this is the independent one.
   Error_code check_deviation(const Deviation<Kernel>& deviation, Conversion_report& part) const
   {
@@ -266,6 +283,8 @@ private:
       part.message = "the surface is farther from the mesh than the tolerance";
     else if(deviation.faces_against_mesh > 0)
       part.message = "the surface is folded over: a face looks the other way than the mesh";
+    else if(deviation.normal_angle_maximum > 90)
+      part.message = "the surface is folded over: the normals of two faces are opposite";
     else
       return Error_code::OK;
     return Error_code::TOLERANCE_NOT_REACHED;
