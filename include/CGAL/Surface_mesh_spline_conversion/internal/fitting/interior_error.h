@@ -13,6 +13,7 @@
 
 #include <CGAL/Surface_mesh_spline_conversion/internal/Point_index.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/Interior_samples.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/for_each_index.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/to_eigen.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/patches/quad_sides.h>
 
@@ -143,14 +144,14 @@ public:
     : m_surface(surface), m_target(target), m_samples(samples), m_is_parametric(is_parametric)
   {
     const size_type n = samples.number_of_error_samples();
-    m_points.reserve(n);
-    m_bounds.reserve(n);
-    for(size_type i = 0; i < n; ++i)
+    m_points.resize(n);
+    m_bounds.resize(n);
+    for_each_index(n, [&](size_type i)
     {
       const typename Samples::Place at = place(i);
-      m_points.push_back(to_eigen(surface.position(at.patch, at.u, at.v)));
-      m_bounds.push_back((m_points.back() - target_point(i)).norm());
-    }
+      m_points[i] = to_eigen(surface.position(at.patch, at.u, at.v));
+      m_bounds[i] = (m_points[i] - target_point(i)).norm();
+    });
     if(!is_parametric)
       measure_vertices();
   }
@@ -182,9 +183,11 @@ public:
   // should be split
   std::vector<Patch_split> violations(double tolerance) const
   {
+    std::vector<char> is_split(m_samples.number_of_patches());
+    for_each_index(is_split.size(), [&](size_type p) { is_split[p] = is_violating(p, tolerance); });
     std::vector<Patch_split> result;
-    for(size_type p = 0; p < m_samples.number_of_patches(); ++p)
-      if(is_violating(p, tolerance))
+    for(size_type p = 0; p < is_split.size(); ++p)
+      if(is_split[p])
         result.push_back(split(p));
     return result;
   }
@@ -336,17 +339,21 @@ private:
   {
     m_vertex_errors.assign(m_samples.number_of_patches(), 0);
     const std::vector<size_type> nearest = nearest_samples();
-    for(size_type v = 0; v < nearest.size(); ++v)
+    std::vector<double> errors(nearest.size(), 0);
+    for_each_index(nearest.size(), [&](size_type v)
     {
       const size_type i = nearest[v];
-      if(i == none || m_target.is_boundary_quad(place(i).quad))
+      if(i != none && !m_target.is_boundary_quad(place(i).quad))
+        errors[v] = distance_to_surface(to_eigen(m_target.mesh_vertex(v)), i);
+    });
+    for(size_type v = 0; v < nearest.size(); ++v)
+    {
+      if(nearest[v] == none)
         continue;
-      const Eigen::Vector3d vertex = to_eigen(m_target.mesh_vertex(v));
-      const double error = distance_to_surface(vertex, i);
-      double& largest_of_patch = m_vertex_errors[place(i).patch];
-      largest_of_patch = (std::max)(largest_of_patch, error);
-      if(error > m_largest_of_vertices.error)
-        m_largest_of_vertices = Largest_error{error, vertex};
+      double& largest_of_patch = m_vertex_errors[place(nearest[v]).patch];
+      largest_of_patch = (std::max)(largest_of_patch, errors[v]);
+      if(errors[v] > m_largest_of_vertices.error)
+        m_largest_of_vertices = Largest_error{errors[v], to_eigen(m_target.mesh_vertex(v))};
     }
   }
 

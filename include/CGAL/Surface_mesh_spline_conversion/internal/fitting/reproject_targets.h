@@ -12,6 +12,7 @@
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/Interior_samples.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/for_each_index.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/to_eigen.h>
 
 #include <Eigen/Core>
@@ -45,27 +46,25 @@ public:
 
   void operator()()
   {
-    for(size_type p = 0; p < m_samples.number_of_patches(); ++p)
-      reproject(p);
+    for_each_index(m_samples.number_of_patches(), [this](size_type p) { reproject(p); });
   }
 
 private:
   void reproject(size_type patch)
   {
     const auto& grid = m_samples.grid(patch);
-    m_original.clear();
-    m_feet.clear();
+    Points original, feet;
     for(size_type k = 0; k < grid.number_of_fit_samples(); ++k)
     {
       const size_type i = m_samples.error_sample(patch, k);
       const typename Samples::Place at = m_samples.error_place(i);
-      m_original.push_back(m_samples.target(i));
-      m_feet.push_back(to_eigen(m_target.foot_point(
+      original.push_back(m_samples.target(i));
+      feet.push_back(to_eigen(m_target.foot_point(
         m_surface.position(at.patch, at.u, at.v), at.quad, at.u, at.v)));
     }
-    unfold(grid.u + 1, grid.v + 1, m_original, m_feet);
+    unfold(grid.u + 1, grid.v + 1, original, feet);
     for(size_type k = 0; k < grid.number_of_fit_samples(); ++k)
-      m_samples.set_fit_target(patch, k, m_feet[k]);
+      m_samples.set_fit_target(patch, k, feet[k]);
   }
 
   // taking back a foot may fold a neighbouring cell, hence the repetition; each round that goes
@@ -101,7 +100,6 @@ private:
   const Surface& m_surface;
   const Target& m_target;
   Samples& m_samples;
-  Points m_original, m_feet; // of a patch
 };
 
 } // namespace internal
