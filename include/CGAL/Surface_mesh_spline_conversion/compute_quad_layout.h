@@ -227,10 +227,9 @@ the quads of this map.
 Where the map fails, singularities are moved, and quads that are larger than the features of the
 shape are given singularities at smaller distances. Where the projection from a proxy turns out to
 have folds, finer proxies are tried; then the mesh itself in place of a proxy, or the other way
-round. What cannot fail comes last: the mesh is
-coarsened, a ring of quads is laid along each boundary loop, and each triangle in between is divided
-into three quads. Such a layout is valid, but has many extraordinary points; its corners are regular
-vertices even where the boundary is convex.
+round. What cannot fail comes last: the mesh is coarsened, a ring of quads is laid along each
+boundary loop, and each triangle in between is divided into three quads. Such a layout is valid, but
+has many extraordinary points; its corners are regular vertices even where the boundary is convex.
 `Conversion_report::Map::fallback` says which of these was needed.
 
 \tparam TriangleMesh a model of `HalfedgeListGraph` and `FaceListGraph`

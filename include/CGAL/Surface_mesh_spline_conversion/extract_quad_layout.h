@@ -140,12 +140,13 @@ the mesh, the pieces of the boundary below them, and the inverse map.
 
 All decisions are exact, and the result is checked: it has the Euler characteristic of the mesh, its
 irregular vertices are the singularities of the map, corners of the boundary are vertices, and the
-boundary sides cover each boundary chain once. Vertices at boundary vertices of the mesh have exactly
-their points. Extraordinary points need not lie at vertices of the mesh: they, and the quads around,
-are moved such that the angles at them become nearly equal. The inverse map is continuous up to rounding and maps no two quads to the same place. It is
-piecewise linear if the map has been solved again (`Integer_grid_map::is_resolved`) and there is no
-proxy. With a proxy, its points are projected to the mesh along normals that are interpolated on the
-proxy, and those of the boundary by arc length.
+boundary sides cover each boundary chain once. Vertices at boundary vertices of the mesh have
+exactly their points. Extraordinary points need not lie at vertices of the mesh: they, and the quads
+around, are moved such that the angles at them become nearly equal. The inverse map is continuous up
+to rounding and maps no two quads to the same place. It is piecewise linear away from extraordinary
+points if the map has been solved again (`Integer_grid_map::is_resolved`) and there is no proxy.
+With a proxy, its points are projected to the mesh along normals that are interpolated on the proxy,
+and those of the boundary by arc length.
 
 \tparam TriangleMesh a model of `FaceListGraph`
 \tparam BoundaryCurveNetwork an instance of `Boundary_curve_network_3`
