@@ -13,6 +13,7 @@
 
 #include <CGAL/Surface_mesh_spline_conversion/Elementary_surface_3.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/curves/B_spline.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/curves/Curve_member_traits.h>
 
 #include <CGAL/Kernel/global_functions.h>
 #include <CGAL/assertions.h>
@@ -187,7 +188,8 @@ private:
 
 The class `Curve_on_surface_traits_3` makes boundary curves of curves on planes, cylinders, cones,
 spheres and tori. Such a curve lies on its surface exactly, whereas a B-spline curve in space only
-approximates one. Evaluation does not allocate memory for degrees below 10.
+approximates one. `Construct_normal_on_curve_3` returns the unit normal of the surface at a
+parameter of a curve. Evaluation does not allocate memory for degrees below 10.
 
 \tparam K a model of `Kernel` with a floating-point number type
 
@@ -195,46 +197,13 @@ approximates one. Evaluation does not allocate memory for degrees below 10.
 */
 template <typename K>
 class Curve_on_surface_traits_3
+#ifndef DOXYGEN_RUNNING
+  : public internal::Curve_member_traits_with_normals<K, Curve_on_surface_3<K> >
+#endif
 {
 public:
-  typedef typename K::FT FT;
-  typedef typename K::Point_3 Point_3;
-  typedef typename K::Vector_3 Vector_3;
+  /// The type of the curves.
   typedef Curve_on_surface_3<K> Curve_3;
-
-  struct Construct_point_on_curve_3
-  {
-    Point_3 operator()(const Curve_3& curve, const FT& t) const { return curve.point(t); }
-  };
-
-  struct Construct_derivative_on_curve_3
-  {
-    Vector_3 operator()(const Curve_3& curve, const FT& t, int order) const
-    {
-      return curve.derivative(t, order);
-    }
-  };
-
-  /// returns a unit normal of the surface along a curve.
-  struct Construct_normal_on_curve_3
-  {
-    Vector_3 operator()(const Curve_3& curve, const FT& t) const { return curve.normal(t); }
-  };
-
-  Construct_point_on_curve_3 construct_point_on_curve_3_object() const
-  {
-    return Construct_point_on_curve_3();
-  }
-
-  Construct_derivative_on_curve_3 construct_derivative_on_curve_3_object() const
-  {
-    return Construct_derivative_on_curve_3();
-  }
-
-  Construct_normal_on_curve_3 construct_normal_on_curve_3_object() const
-  {
-    return Construct_normal_on_curve_3();
-  }
 };
 
 } // namespace Surface_mesh_spline_conversion

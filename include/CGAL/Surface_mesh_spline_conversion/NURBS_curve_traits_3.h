@@ -12,6 +12,7 @@
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
 #include <CGAL/Surface_mesh_spline_conversion/NURBS_curve_3.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/curves/Curve_member_traits.h>
 
 namespace CGAL {
 namespace Surface_mesh_spline_conversion {
@@ -29,35 +30,13 @@ allocate memory for degrees below 10.
 */
 template <typename K>
 class NURBS_curve_traits_3
+#ifndef DOXYGEN_RUNNING
+  : public internal::Curve_member_traits<K, NURBS_curve_3<K> >
+#endif
 {
 public:
-  typedef typename K::FT FT;
-  typedef typename K::Point_3 Point_3;
-  typedef typename K::Vector_3 Vector_3;
+  /// The type of the curves.
   typedef NURBS_curve_3<K> Curve_3;
-
-  struct Construct_point_on_curve_3
-  {
-    Point_3 operator()(const Curve_3& curve, const FT& t) const { return curve.point(t); }
-  };
-
-  struct Construct_derivative_on_curve_3
-  {
-    Vector_3 operator()(const Curve_3& curve, const FT& t, int order) const
-    {
-      return curve.derivative(t, order);
-    }
-  };
-
-  Construct_point_on_curve_3 construct_point_on_curve_3_object() const
-  {
-    return Construct_point_on_curve_3();
-  }
-
-  Construct_derivative_on_curve_3 construct_derivative_on_curve_3_object() const
-  {
-    return Construct_derivative_on_curve_3();
-  }
 };
 
 } // namespace Surface_mesh_spline_conversion

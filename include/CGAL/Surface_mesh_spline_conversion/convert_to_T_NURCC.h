@@ -108,8 +108,8 @@ mesh to T-NURCC surface conversion*, Computers & Graphics 82 (2019).
                            tells the largest angle that remains. At a corner whose two curves exclude
                            the normal, the surface is tangent behind the first patch only.}
     \cgalParamType{a class with the operator `Vector_3 operator()(const Curve_3& c, const FT& t) const`,
-                    with the types of `BoundaryCurveTraits`, for instance
-                    `Curve_on_surface_traits_3::Construct_normal_on_curve_3`}
+                    with the types of `BoundaryCurveTraits`, for instance the
+                    `Construct_normal_on_curve_3` of `Curve_on_surface_traits_3`}
     \cgalParamDefault{no normals}
   \cgalParamNEnd
   \cgalParamNBegin{error_metric}

@@ -67,8 +67,8 @@ distance is measured at the nodes of a 9x9 grid per patch, after the last fit.
                            a boundary curve; the surface becomes tangent to the face there. It returns
                            the null vector where the surface need not be tangent to a face.}
     \cgalParamType{a class with the operator `Vector_3 operator()(const Curve_3& c, const FT& t) const`,
-                    with the types of the traits of the curves, for instance
-                    `Curve_on_surface_traits_3::Construct_normal_on_curve_3`}
+                    with the types of the traits of the curves, for instance the
+                    `Construct_normal_on_curve_3` of `Curve_on_surface_traits_3`}
     \cgalParamDefault{no normals}
   \cgalParamNEnd
   \cgalParamNBegin{maximum_number_of_patches}
