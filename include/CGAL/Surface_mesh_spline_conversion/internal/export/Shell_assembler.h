@@ -228,7 +228,7 @@ private:
     face.is_extraordinary = (first.cap != NO_INDEX);
     face.patch = first.patch;
     face.surface = face.is_extraordinary ? cap_surface(first)
-                 : first.crease != NO_INDEX ? crease_surface(first)
+                 : first.crease != NO_INDEX ? crease_surface(cells)
                  : merged_surface(cells, face.patch);
     for(const auto& side : loop)
       for(std::size_t begin = 0, end; begin < side.size(); begin = end)
@@ -343,28 +343,36 @@ private:
     return result;
   }
 
-  // the points at the breaks follow from their neighbours
-  B_spline_surface_3<K> crease_surface(const Cell& cell) const
+  // The pieces of a crease that the cells cover. The points at the breaks follow from their
+  // neighbours.
+  B_spline_surface_3<K> crease_surface(const Cell_rectangle& face) const
   {
+    const Cell& cell = m_complex.cells()[face.cells.front().cell];
     const Crease& crease = m_creases[cell.crease];
     const std::vector<Eigen::Vector3d>& points = crease.points[cell.sector];
     constexpr std::size_t columns = Crease_builder::COLUMNS, rows = Crease_builder::ROWS;
-    const std::size_t pieces = crease.breaks.size() - 1;
+    const std::size_t first = index_of_break(crease, face.bounds.low[1]);
+    const std::size_t last = index_of_break(crease, face.bounds.high[1]);
     B_spline_surface_3<K> result;
     std::vector<typename K::FT> breaks;
-    std::vector<int> multiplicities(pieces + 1, int(rows) - 2);
+    std::vector<int> multiplicities(last - first + 1, int(rows) - 2);
     multiplicities.front() = multiplicities.back() = int(rows);
-    for(std::int64_t t : crease.breaks)
-      breaks.push_back(double(t) / double(QUAD_TICKS));
+    for(std::size_t k = first; k <= last; ++k)
+      breaks.push_back(double(crease.breaks[k] - crease.breaks[first]) / double(QUAD_TICKS));
     result.knots[0] = Knot_vector<typename K::FT>(
       Crease_builder::DEGREE_ACROSS, {0, double(crease.width[cell.sector]) / double(QUAD_TICKS)});
     result.knots[1]
       = Knot_vector<typename K::FT>(Crease_builder::DEGREE_ALONG, breaks, multiplicities);
-    for(std::size_t k = 0; k < pieces; ++k)
-      for(std::size_t b = (k == 0 ? 0 : 1); b < (k + 1 == pieces ? rows : rows - 1); ++b)
+    for(std::size_t k = first; k < last; ++k)
+      for(std::size_t b = (k == first ? 0 : 1); b < (k + 1 == last ? rows : rows - 1); ++b)
         for(std::size_t a = 0; a < columns; ++a)
           result.control_points.push_back(point(points[columns * (rows * k + b) + a]));
     return result;
+  }
+
+  static std::size_t index_of_break(const Crease& crease, std::int64_t t)
+  {
+    return std::lower_bound(crease.breaks.begin(), crease.breaks.end(), t) - crease.breaks.begin();
   }
 
   B_spline_surface_3<K> merged_surface(const Cell_rectangle& face, std::size_t& patch) const
