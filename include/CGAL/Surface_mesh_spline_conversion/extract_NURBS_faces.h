@@ -124,7 +124,7 @@ their edges; a face whose side has T-junctions has several edges there.
   \cgalParamNEnd
   \cgalParamNBegin{do_merge_patches}
     \cgalParamDescription{whether faces may cover several bicubic pieces; if not, there is one face
-                           for each of them}
+                           for each of them, except beside lines above corners}
     \cgalParamType{Boolean}
     \cgalParamDefault{`true`}
   \cgalParamNEnd

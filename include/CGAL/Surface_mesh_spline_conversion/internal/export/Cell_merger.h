@@ -59,7 +59,7 @@ public:
       m_strip_of_cell(complex.cells().size(), 0), m_smooth(complex.segments().size(), UNKNOWN)
   {}
 
-  /// returns the rectangles; without `do_merge`, each cell is one
+  /// returns the rectangles; without `do_merge`, each cell is one, but beside creases
   std::vector<Cell_rectangle> operator()(bool do_merge)
   {
     std::vector<Cell_rectangle> faces;
@@ -72,7 +72,7 @@ public:
       if(do_merge && m_complex.cells()[seed].cap == NO_INDEX)
         grow(faces.back(), faces.size() - 1);
     }
-    append_crease_faces(do_merge, faces);
+    append_crease_faces(faces);
     return faces;
   }
 
@@ -138,16 +138,16 @@ private:
     return {{{cell, Tick_frame()}}, m_complex.cells()[cell].rectangle};
   }
 
-  // the cells on one side of a crease make one face, or one each
-  void append_crease_faces(bool do_merge, std::vector<Cell_rectangle>& faces)
+  // the cells on one side of a crease make one face
+  void append_crease_faces(std::vector<Cell_rectangle>& faces)
   {
-    std::map<std::array<std::size_t, 3>, Cell_rectangle> by_side; // crease, side, and cell
+    std::map<std::pair<std::size_t, std::size_t>, Cell_rectangle> by_side;
     for(std::size_t c = 0; c < m_complex.cells().size(); ++c)
     {
       const Cell& cell = m_complex.cells()[c];
       if(cell.crease == NO_INDEX)
         continue;
-      Cell_rectangle& face = by_side[{{cell.crease, cell.sector, do_merge ? NO_INDEX : c}}];
+      Cell_rectangle& face = by_side[{cell.crease, cell.sector}];
       const Tick_rectangle r = cell.frame(cell.rectangle);
       if(face.cells.empty())
         face.bounds = r;

@@ -228,7 +228,7 @@ private:
     face.is_extraordinary = (first.cap != NO_INDEX);
     face.patch = first.patch;
     face.surface = face.is_extraordinary ? cap_surface(first)
-                 : first.crease != NO_INDEX ? crease_surface(cells)
+                 : first.crease != NO_INDEX ? crease_surface(first)
                  : merged_surface(cells, face.patch);
     for(const auto& side : loop)
       for(std::size_t begin = 0, end; begin < side.size(); begin = end)
@@ -237,7 +237,25 @@ private:
           ++end;
         face.loop.push_back(oriented_edge({side.begin() + begin, side.begin() + end}, shell));
       }
+    if(face.is_extraordinary)
+      take_spokes(shell, face);
     shell.add_face(std::move(face));
+  }
+
+  // Gives a sector of a cap the very points of the edges that it shares with the sectors beside it;
+  // its own differ from them by rounding.
+  static void take_spokes(const Shell& shell, typename Shell::Face& face)
+  {
+    for(int side : {0, 3})
+    {
+      const auto& use = (side == 0) ? face.loop.front() : face.loop.back();
+      std::vector<std::size_t> indices = face.surface.indices_on_side(side);
+      if(!use.is_forward)
+        std::reverse(indices.begin(), indices.end());
+      const std::vector<Point_3>& points = shell.edge(use.edge).curve.control_points;
+      for(std::size_t i = 0; i < points.size(); ++i)
+        face.surface.control_points[indices[i]] = points[i];
+    }
   }
 
   // the second face that comes along an edge finds it by the segments; boundary edges, which may be
@@ -343,36 +361,28 @@ private:
     return result;
   }
 
-  // The pieces of a crease that the cells cover. The points at the breaks follow from their
-  // neighbours.
-  B_spline_surface_3<K> crease_surface(const Cell_rectangle& face) const
+  // the points at the breaks follow from their neighbours
+  B_spline_surface_3<K> crease_surface(const Cell& cell) const
   {
-    const Cell& cell = m_complex.cells()[face.cells.front().cell];
     const Crease& crease = m_creases[cell.crease];
     const std::vector<Eigen::Vector3d>& points = crease.points[cell.sector];
     constexpr std::size_t columns = Crease_builder::COLUMNS, rows = Crease_builder::ROWS;
-    const std::size_t first = index_of_break(crease, face.bounds.low[1]);
-    const std::size_t last = index_of_break(crease, face.bounds.high[1]);
+    const std::size_t pieces = crease.breaks.size() - 1;
     B_spline_surface_3<K> result;
     std::vector<typename K::FT> breaks;
-    std::vector<int> multiplicities(last - first + 1, int(rows) - 2);
+    std::vector<int> multiplicities(pieces + 1, int(rows) - 2);
     multiplicities.front() = multiplicities.back() = int(rows);
-    for(std::size_t k = first; k <= last; ++k)
-      breaks.push_back(double(crease.breaks[k] - crease.breaks[first]) / double(QUAD_TICKS));
+    for(std::int64_t t : crease.breaks)
+      breaks.push_back(double(t) / double(QUAD_TICKS));
     result.knots[0] = Knot_vector<typename K::FT>(
       Crease_builder::DEGREE_ACROSS, {0, double(crease.width[cell.sector]) / double(QUAD_TICKS)});
     result.knots[1]
       = Knot_vector<typename K::FT>(Crease_builder::DEGREE_ALONG, breaks, multiplicities);
-    for(std::size_t k = first; k < last; ++k)
-      for(std::size_t b = (k == first ? 0 : 1); b < (k + 1 == last ? rows : rows - 1); ++b)
+    for(std::size_t k = 0; k < pieces; ++k)
+      for(std::size_t b = (k == 0 ? 0 : 1); b < (k + 1 == pieces ? rows : rows - 1); ++b)
         for(std::size_t a = 0; a < columns; ++a)
           result.control_points.push_back(point(points[columns * (rows * k + b) + a]));
     return result;
-  }
-
-  static std::size_t index_of_break(const Crease& crease, std::int64_t t)
-  {
-    return std::lower_bound(crease.breaks.begin(), crease.breaks.end(), t) - crease.breaks.begin();
   }
 
   B_spline_surface_3<K> merged_surface(const Cell_rectangle& face, std::size_t& patch) const
