@@ -172,6 +172,26 @@ void test_round_trip(const Shell& shell)
   }
 }
 
+// vertices lend their points to edges, and edges between sectors of a cap theirs to the sectors
+void test_number_of_points(const Shell& shell)
+{
+  std::ostringstream os;
+  CGAL::IO::write_STEP(os, shell);
+  std::size_t expected = shell.number_of_vertices() + 1; // and the origin
+  for(std::size_t e = 0; e < shell.number_of_edges(); ++e)
+    expected += shell.edge(e).curve.control_points.size() - 2;
+  std::size_t sectors = 0;
+  for(std::size_t f = 0; f < shell.number_of_faces(); ++f)
+  {
+    expected += shell.face(f).surface.control_points.size();
+    sectors += shell.face(f).is_extraordinary;
+  }
+  assert(sectors == 24);
+  const std::size_t points_of_two_rows = 11;
+  assert(STEP_file(os.str()).of_type("CARTESIAN_POINT").size()
+         == expected - points_of_two_rows * sectors);
+}
+
 // one bilinear face, as a shell of its own
 void add_square(Shell& shell, double x, double y, double z)
 {
@@ -268,6 +288,7 @@ int main()
   {
     const Shell shell = sphere_shell(4, tolerance);
     test_round_trip(shell);
+    test_number_of_points(shell);
     test_vtu(shell);
   }
   test_components_and_header();

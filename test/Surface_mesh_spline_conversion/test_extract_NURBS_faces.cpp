@@ -134,6 +134,13 @@ std::size_t number_of_separatrix_rectangles(const Quad_layout& layout)
   return Separatrix_rectangles(neighbors, std::size_t(-1), corners).number_of_rectangles();
 }
 
+// a single polynomial, if it is not beside a crease
+bool is_single_piece(const SMSC::B_spline_surface_3<K>& surface)
+{
+  return surface.knots[0].number_of_spans() == 1
+      && (surface.knots[1].number_of_spans() == 1 || surface.knots[1].degree() == 5);
+}
+
 // a negative number of border edges stands for any
 void test(const std::string& name, const Quad_layout& layout, long euler_characteristic,
           long number_of_border_edges, std::size_t number_of_creases = 0,
@@ -167,7 +174,10 @@ void test(const std::string& name, const Quad_layout& layout, long euler_charact
     assert(!merge || shell.number_of_faces() < faces);
     std::size_t sectors = 2 * number_of_creases; // those of creases and caps
     for(std::size_t f = 0; f < shell.number_of_faces(); ++f)
+    {
       sectors += shell.face(f).is_extraordinary;
+      assert(merge || is_single_piece(shell.face(f).surface));
+    }
     assert(!merge
            || shell.number_of_faces() - sectors <= 4 * number_of_separatrix_rectangles(layout));
     faces = shell.number_of_faces();

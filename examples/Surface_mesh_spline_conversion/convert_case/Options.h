@@ -61,7 +61,7 @@ inline const char* usage()
     "  --threads N        at most N threads (all cores; one if built without TBB)\n"
     "  --max-patches N    stop refining at this number of patches\n"
     "  --error-metric M   parametric, reprojected (default), or hausdorff\n"
-    "  --no-merge         one face per patch in the STEP file\n"
+    "  --no-merge         one face per Bezier element in the STEP file\n"
     "  --quiet            no progress on the standard error stream\n"
     "exit status: 0 tolerances met, 2 bad input, 3 a tolerance was not reached, 4 other failure\n";
 }

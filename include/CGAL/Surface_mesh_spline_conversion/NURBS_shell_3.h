@@ -89,6 +89,18 @@ struct B_spline_surface_3
     return control_points[j * knots[0].number_of_functions() + i];
   }
 
+  /// returns the indices in `control_points` of those on a side, counter clockwise; side 0 is that
+  /// with the smallest `v`.
+  std::vector<std::size_t> indices_on_side(int side) const
+  {
+    const std::size_t nu = knots[0].number_of_functions(), nv = knots[1].number_of_functions();
+    std::vector<std::size_t> result((side & 1) ? nv : nu);
+    for(std::size_t i = 0; i < result.size(); ++i)
+      result[i] = (side == 0) ? i : (side == 1) ? nu * i + nu - 1
+                : (side == 2) ? nu * nv - 1 - i : nu * (nv - 1 - i);
+    return result;
+  }
+
   /// returns the point at `(u,v)`.
   Point_3 point(FT u, FT v) const { return CGAL::ORIGIN + derivatives(u, v, 0)[0][0]; }
 

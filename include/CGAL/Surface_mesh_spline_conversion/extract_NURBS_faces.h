@@ -123,7 +123,8 @@ their edges; a face whose side has T-junctions has several edges there.
     \cgalParamDefault{\f$ 10^{-3} \f$ times the largest coordinate}
   \cgalParamNEnd
   \cgalParamNBegin{do_merge_patches}
-    \cgalParamDescription{whether faces may cover several patches}
+    \cgalParamDescription{whether faces may cover several bicubic pieces; if not, there is one face
+                           for each of them, except beside lines above corners}
     \cgalParamType{Boolean}
     \cgalParamDefault{`true`}
   \cgalParamNEnd
@@ -153,8 +154,7 @@ extract_NURBS_faces(const T_NURCC_surface_3<K>& surface, NURBS_shell_3<K>& shell
     get_parameter(np, internal_np::boundary_vertices), std::vector<Boundary_vertex<FT> >());
 
   internal::Extraction_settings settings;
-  settings.across_patches
-    = choose_parameter(get_parameter(np, internal_np::do_merge_patches), true);
+  settings.do_merge = choose_parameter(get_parameter(np, internal_np::do_merge_patches), true);
   settings.levels = internal::EXTRACTION_LEVELS;
   settings.cap_tolerance = internal::CAP_SHARE_OF_TOLERANCE * tolerance;
   for(const Boundary_vertex<FT>& v : boundary_vertices)

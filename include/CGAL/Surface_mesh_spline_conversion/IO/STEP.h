@@ -202,6 +202,7 @@ private:
       for(std::size_t i = 1; i + 1 < points.size(); ++i)
         ids.push_back(write_point(points[i]));
       ids.push_back(m_vertex_point[edge.target]);
+      m_curve_points.push_back(ids);
       const Id curve = entity("B_SPLINE_CURVE_WITH_KNOTS('',");
       m_out << edge.curve.knots.degree() << ',';
       write_references(ids.begin(), ids.end());
@@ -250,11 +251,41 @@ private:
     m_out << ')';
   }
 
-  Id write_surface(const B_spline_surface_3<K>& surface)
+  // The points of a face. Two sectors of a cap and the edge between them have one row in common.
+  std::vector<Id> write_control_points(const typename Shell::Face& face)
   {
-    std::vector<Id> ids;
-    for(const Point_3& p : surface.control_points)
-      ids.push_back(write_point(p));
+    std::vector<Id> ids(face.surface.control_points.size(), 0);
+    if(face.is_extraordinary)
+    {
+      share_points(face.surface, 0, face.loop.front(), ids);
+      share_points(face.surface, 3, face.loop.back(), ids);
+    }
+    for(std::size_t i = 0; i < ids.size(); ++i)
+      if(ids[i] == 0)
+        ids[i] = write_point(face.surface.control_points[i]);
+    return ids;
+  }
+
+  // refers to the points of an edge on a side of a surface if they are the same
+  void share_points(const B_spline_surface_3<K>& surface, int side,
+                    const typename Shell::Oriented_edge& use, std::vector<Id>& ids) const
+  {
+    std::vector<std::size_t> indices = surface.indices_on_side(side);
+    const std::vector<Point_3>& points = m_shell.edge(use.edge).curve.control_points;
+    if(!use.is_forward)
+      std::reverse(indices.begin(), indices.end());
+    if(!std::equal(points.begin(), points.end(), indices.begin(), indices.end(),
+                   [&surface](const Point_3& p, std::size_t i)
+                   { return p == surface.control_points[i]; }))
+      return;
+    for(std::size_t i = 0; i < indices.size(); ++i)
+      ids[indices[i]] = m_curve_points[use.edge][i];
+  }
+
+  Id write_surface(const typename Shell::Face& face)
+  {
+    const B_spline_surface_3<K>& surface = face.surface;
+    const std::vector<Id> ids = write_control_points(face);
     const std::size_t nu = surface.knots[0].number_of_functions();
     const std::size_t nv = surface.knots[1].number_of_functions();
     const Id id = entity("B_SPLINE_SURFACE_WITH_KNOTS('',");
@@ -284,7 +315,7 @@ private:
 
   Id write_face(const typename Shell::Face& face)
   {
-    const Id surface = write_surface(face.surface);
+    const Id surface = write_surface(face);
     std::vector<Id> oriented;
     for(const auto& e : face.loop)
     {
@@ -393,6 +424,7 @@ private:
   std::vector<Id> m_vertex_point;
   std::vector<Id> m_vertex;
   std::vector<Id> m_edge;
+  std::vector<std::vector<Id> > m_curve_points; // of each edge
   std::vector<Id> m_face;
 };
 
@@ -407,8 +439,9 @@ namespace IO {
 writes a shell to a stream in the STEP format (ISO 10303-21, application protocol 214).
 
 Each connected component becomes one shell; a closed one with faces looking outwards becomes a
-solid. Vertices and edges are shared, so that a reader needs no sewing. Coordinates are written with
-as many digits as are needed to read back the same numbers.
+solid. Vertices and edges are shared, so that a reader needs no sewing; the sectors of a cap share the
+control points of the edges between them. Coordinates are written with as many digits as are needed to
+read back the same numbers.
 
 \tparam K a model of `Kernel`
 \param os the output stream

@@ -59,10 +59,9 @@ public:
       m_strip_of_cell(complex.cells().size(), 0), m_smooth(complex.segments().size(), UNKNOWN)
   {}
 
-  /// returns the rectangles; with `across_patches` false each lies in one patch
-  std::vector<Cell_rectangle> operator()(bool across_patches)
+  /// returns the rectangles; without `do_merge`, each cell is one, but beside creases
+  std::vector<Cell_rectangle> operator()(bool do_merge)
   {
-    m_across_patches = across_patches;
     std::vector<Cell_rectangle> faces;
     for(std::size_t seed : seeds())
     {
@@ -70,7 +69,7 @@ public:
         continue;
       m_face_of_cell[seed] = faces.size();
       faces.push_back(single_cell(seed));
-      if(m_complex.cells()[seed].cap == NO_INDEX)
+      if(do_merge && m_complex.cells()[seed].cap == NO_INDEX)
         grow(faces.back(), faces.size() - 1);
     }
     append_crease_faces(faces);
@@ -222,14 +221,6 @@ private:
         && m_complex.cells()[cell].crease == NO_INDEX;
   }
 
-  bool may_join(const Placed_cell& placed, const Cell_complex::Segment_use& use)
-  {
-    const std::size_t other = m_complex.across(use).cell;
-    return (m_across_patches
-            || m_complex.cells()[placed.cell].patch == m_complex.cells()[other].patch)
-        && is_smooth(use.segment);
-  }
-
   bool first_layer(const Cell_rectangle& face, int side, std::vector<Placed_cell>& first)
   {
     for(const Placed_cell& placed : face.cells)
@@ -238,7 +229,7 @@ private:
         continue;
       for(const auto& use : m_complex.uses(placed.cell, cell_side(placed, side)))
       {
-        if(!is_free(m_complex.across(use).cell) || !may_join(placed, use))
+        if(!is_free(m_complex.across(use).cell) || !is_smooth(use.segment))
           return false;
         first.push_back(placed_across(placed, use));
       }
@@ -313,7 +304,7 @@ private:
         continue;
       for(const auto& use : m_complex.uses(placed.cell, s))
       {
-        if(!is_free(m_complex.across(use).cell) || !may_join(placed, use))
+        if(!is_free(m_complex.across(use).cell) || !is_smooth(use.segment))
           return false;
         const Placed_cell next = placed_across(placed, use);
         if(m_strip_of_cell[next.cell] == m_strip && !is_placed_as(next, strip))
@@ -408,7 +399,6 @@ private:
 
   const Cell_complex& m_complex;
   double m_tolerance;
-  bool m_across_patches = true;
   std::vector<std::size_t> m_face_of_cell;
   std::vector<std::size_t> m_strip_of_cell; // the last strip a cell was taken into
   std::size_t m_strip = 0;

@@ -237,7 +237,25 @@ private:
           ++end;
         face.loop.push_back(oriented_edge({side.begin() + begin, side.begin() + end}, shell));
       }
+    if(face.is_extraordinary)
+      take_spokes(shell, face);
     shell.add_face(std::move(face));
+  }
+
+  // Gives a sector of a cap the very points of the edges that it shares with the sectors beside it;
+  // its own differ from them by rounding.
+  static void take_spokes(const Shell& shell, typename Shell::Face& face)
+  {
+    for(int side : {0, 3})
+    {
+      const auto& use = (side == 0) ? face.loop.front() : face.loop.back();
+      std::vector<std::size_t> indices = face.surface.indices_on_side(side);
+      if(!use.is_forward)
+        std::reverse(indices.begin(), indices.end());
+      const std::vector<Point_3>& points = shell.edge(use.edge).curve.control_points;
+      for(std::size_t i = 0; i < points.size(); ++i)
+        face.surface.control_points[indices[i]] = points[i];
+    }
   }
 
   // the second face that comes along an edge finds it by the segments; boundary edges, which may be

@@ -30,7 +30,7 @@ namespace internal {
 
 struct Extraction_settings
 {
-  bool across_patches;   ///< may faces cover several patches?
+  bool do_merge;         ///< may faces cover several bicubic pieces?
   int levels;            ///< of subdivision of the cells at extraordinary points
   double cap_tolerance;  ///< on the deviation of caps
   std::vector<Boundary_point> boundary_points; ///< where the boundary must have vertices
@@ -188,7 +188,7 @@ Extraction_result extract_shell(std::vector<Cell> cells, const Quad_neighbors& n
   const Cell_complex complex = make_cell_complex(std::move(parts), neighbors);
 
   Cell_merger merger(complex, equality);
-  std::vector<Cell_rectangle> faces = merger(settings.across_patches);
+  std::vector<Cell_rectangle> faces = merger(settings.do_merge);
   Shell_assembler<K>(complex, caps, creases, merger)(std::move(faces), settings.boundary_points,
                                                      shell);
 
