@@ -11,16 +11,15 @@
 
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
-#include <CGAL/Surface_mesh_spline_conversion/internal/Sparse_solver.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/field/Face_geometry.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/layout/Flat_triangles.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/layout/Map_neighborhood.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/layout/harmonic_coordinates.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/map/Working_mesh.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
-#include <Eigen/SparseCore>
 
 #include <algorithm>
 #include <array>
@@ -65,7 +64,7 @@ public:
   bool follow_map()
   {
     std::vector<Eigen::Vector2d> points = boundary_circle();
-    if(!solve(points, [this](int h) { return map_cotangent(h); }))
+    if(!set_harmonic_coordinates(m_mesh, points, [this](int h) { return map_corner(h); }))
       return false;
     m_source = Flat_triangles(m_mesh.triangles, std::move(points));
     return m_source.is_embedded();
@@ -371,67 +370,23 @@ private:
   bool lay_surface_flat()
   {
     std::vector<Eigen::Vector2d> points = boundary_circle();
-    if(!solve(points, [this](int h) { return cotangent(h); }))
+    if(!set_harmonic_coordinates(m_mesh, points, [this](int h) { return surface_corner(h); }))
       return false;
     m_target = Flat_triangles(m_mesh.triangles, std::move(points));
     return m_target.is_embedded();
   }
 
-  // Sets the inner points to harmonic coordinates; `cotangent`: of the angle at a corner.
-  template <typename Cotangent>
-  bool solve(std::vector<Eigen::Vector2d>& points, const Cotangent& cotangent) const
+  std::pair<Eigen::Vector3d, Eigen::Vector3d> surface_corner(int h) const
   {
-    const double smallest_cotangent = 0.05; // positive: no fold behind a convex boundary
-    std::vector<int> unknown(m_mesh.number_of_vertices(), -1);
-    int n = 0;
-    for(int v = 0; v < m_mesh.number_of_vertices(); ++v)
-      if(!m_mesh.is_border_vertex(v))
-        unknown[v] = n++;
-    std::vector<Eigen::Triplet<double> > entries;
-    Eigen::VectorXd diagonal = Eigen::VectorXd::Zero(n);
-    Eigen::MatrixX2d right = Eigen::MatrixX2d::Zero(n, 2);
-    for(int h = 0; h < m_mesh.number_of_halfedges(); ++h)
-    {
-      const double weight = (std::max)(smallest_cotangent, cotangent(Working_mesh::previous(h)));
-      const int v = m_mesh.source(h), w = m_mesh.target(h);
-      for(const std::pair<int, int>& e : {std::make_pair(v, w), std::make_pair(w, v)})
-        if(const int i = unknown[e.first]; i >= 0)
-        {
-          diagonal[i] += weight;
-          if(unknown[e.second] < 0)
-            right.row(i) += weight * points[e.second].transpose();
-        }
-      if(unknown[v] >= 0 && unknown[w] >= 0)
-        entries.emplace_back((std::max)(unknown[v], unknown[w]),
-                             (std::min)(unknown[v], unknown[w]), -weight);
-    }
-    for(int i = 0; i < n; ++i)
-      entries.emplace_back(i, i, diagonal[i]);
-    Sparse_solver::Matrix matrix(n, n);
-    matrix.setFromTriplets(entries.begin(), entries.end());
-    Sparse_solver solver;
-    solver.analyze(matrix);
-    if(n == 0 || !solver.factorize(matrix))
-      return false;
-    const Eigen::VectorXd x = solver.solve(right.col(0)), y = solver.solve(right.col(1));
-    for(int v = 0; v < m_mesh.number_of_vertices(); ++v)
-      if(unknown[v] >= 0)
-        points[v] = Eigen::Vector2d(x[unknown[v]], y[unknown[v]]);
-    return true;
+    return std::make_pair(m_mesh.vector(h),
+                          Eigen::Vector3d(-m_mesh.vector(Working_mesh::previous(h))));
   }
 
-  double cotangent(int h) const
-  {
-    const Eigen::Vector3d a = m_mesh.vector(h), b = -m_mesh.vector(Working_mesh::previous(h));
-    return a.dot(b) / a.cross(b).norm();
-  }
-
-  double map_cotangent(int h) const
+  std::pair<Eigen::Vector2d, Eigen::Vector2d> map_corner(int h) const
   {
     const Eigen::Vector2d& p = m_corners[h].position;
-    const Eigen::Vector2d a = m_corners[Working_mesh::next(h)].position - p;
-    const Eigen::Vector2d b = m_corners[Working_mesh::previous(h)].position - p;
-    return a.dot(b) / (a[0] * b[1] - a[1] * b[0]);
+    return std::make_pair(Eigen::Vector2d(m_corners[Working_mesh::next(h)].position - p),
+                          Eigen::Vector2d(m_corners[Working_mesh::previous(h)].position - p));
   }
 
   void index_faces()
