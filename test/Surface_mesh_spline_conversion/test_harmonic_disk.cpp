@@ -1,7 +1,7 @@
 // The motions of a disk of faces, on plane surfaces whose map is known: k squares around a
-// singularity, with the conformal map that spreads them over a full turn. Where the surface has been
-// disturbed, the motion leads back to the undisturbed place; it is a bijection that fixes what lies
-// outside of the disk.
+// singularity, with the conformal map that spreads them over a full turn. Where the surface has
+// been disturbed, the motion leads back to the undisturbed place; it is a bijection that fixes what
+// lies outside of the disk.
 
 #include "voxel_seamless_maps.h"
 

@@ -53,7 +53,8 @@ public:
     double sum = 0;
     for(const std::array<int, 3>& t : m_triangles)
     {
-      const Eigen::Vector2d a = m_points[t[1]] - m_points[t[0]], b = m_points[t[2]] - m_points[t[0]];
+      const Eigen::Vector2d a = m_points[t[1]] - m_points[t[0]];
+      const Eigen::Vector2d b = m_points[t[2]] - m_points[t[0]];
       areas.push_back(a[0] * b[1] - a[1] * b[0]);
       sum += areas.back();
     }

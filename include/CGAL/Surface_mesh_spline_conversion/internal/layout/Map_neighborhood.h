@@ -28,9 +28,9 @@ namespace CGAL {
 namespace Surface_mesh_spline_conversion {
 namespace internal {
 
-// The faces near some places of a seamless map, unfolded about the place that is nearest to each: it
-// is the origin of the chart of the face. Behind singularities, the position depends on the way by
-// which a face has been reached, and is an estimate.
+// The faces near some places of a seamless map, unfolded about the place that is nearest to each,
+// which is the origin of the chart of the face. Behind singularities, the position depends on the
+// way by which a face has been reached, and is an estimate.
 class Map_neighborhood
 {
 public:

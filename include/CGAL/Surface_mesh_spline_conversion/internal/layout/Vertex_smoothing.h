@@ -30,8 +30,9 @@ namespace Surface_mesh_spline_conversion {
 namespace internal {
 
 // Motions of the surface around the corners of flat quads that are not convex or next to it, one
-// corner after the other, where these make the worst quad at the corner better. A quad may be as its
-// map wants it, and yet be inverted when it is drawn flat, as where the surface turns much within it.
+// corner after the other, where these make the worst quad at the corner better. A quad may be as
+// the map wants it, and yet be inverted when it is drawn flat, as where the surface turns much
+// within it.
 class Vertex_smoothing
 {
 public:
@@ -42,7 +43,7 @@ public:
   Vertex_smoothing(const Seamless_map& map, const Quad_grid& grid, const Locate& locate)
     : m_motions_at(map.mesh.number_of_faces()), m_map(&map), m_grid(&grid)
   {
-    const int most_rounds = 4;
+    const int most_rounds = 8;
     locate_vertices(locate);
     bool is_changed = true;
     for(int round = 0; round < most_rounds && is_changed; ++round)
@@ -155,7 +156,7 @@ private:
     return best != from && disk->shift(from, best) && accept(disk);
   }
 
-  // Moves all that lies in the disk if this makes the worst of the quads there better.
+  // Moves all that lies in the disk if this makes the worst of the quads that change better.
   bool accept(const std::shared_ptr<const Harmonic_disk>& disk)
   {
     const auto is_at = [&](const Working_location& at)
@@ -173,13 +174,13 @@ private:
         middles.push_back(q);
         quads.push_back(q);
       }
-    const double before = least_shape(quads);
+    const std::vector<double> before = shapes_of(quads);
     const std::vector<Working_location> old_vertices = m_vertices, old_middles = m_middles;
     for(const int v : vertices)
       m_vertices[v] = (*disk)(m_vertices[v]);
     for(const int q : middles)
       m_middles[q] = (*disk)(m_middles[q]);
-    if(!(least_shape(quads) > before))
+    if(!is_worst_change_better(before, shapes_of(quads)))
     {
       m_vertices = old_vertices;
       m_middles = old_middles;
@@ -189,6 +190,28 @@ private:
       m_motions_at[f].push_back(static_cast<int>(m_motions.size()));
     m_motions.push_back(disk);
     return true;
+  }
+
+  std::vector<double> shapes_of(const std::vector<int>& quads) const
+  {
+    std::vector<double> shapes;
+    for(const int q : quads)
+      shapes.push_back(shape_of(q));
+    return shapes;
+  }
+
+  // Compares the least of the values that differ.
+  static bool is_worst_change_better(const std::vector<double>& before,
+                                     const std::vector<double>& after)
+  {
+    double least_before = 1, least_after = 1;
+    for(std::size_t i = 0; i < before.size(); ++i)
+      if(before[i] != after[i])
+      {
+        least_before = (std::min)(least_before, before[i]);
+        least_after = (std::min)(least_after, after[i]);
+      }
+    return least_after > least_before;
   }
 
   double least_shape(const std::vector<int>& quads) const

@@ -42,8 +42,8 @@ inline double scaled_jacobian(const std::array<Eigen::Vector3d, 4>& p)
   return least;
 }
 
-// The scaled Jacobian of a quad of a surface with the given normal near its middle. If the quad faces
-// the wrong side: the cosine of its angle with the surface, if that is smaller.
+// The scaled Jacobian of a quad of a surface with the given normal near its middle. If the quad
+// faces the wrong side: the cosine of its angle with the surface, if that is smaller.
 inline double oriented_scaled_jacobian(const std::array<Eigen::Vector3d, 4>& p,
                                        const Eigen::Vector3d& outside)
 {
