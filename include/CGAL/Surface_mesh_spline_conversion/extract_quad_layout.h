@@ -189,7 +189,7 @@ Error_code extract_quad_layout(const Integer_grid_map& map, const TriangleMesh& 
   internal::Mapped_quads quads;
   if(*quads.build(map) != 0)
     return Error_code::NO_QUAD_LAYOUT;
-  quads.smooth_at_cones(map);
+  quads.smooth(map);
   const auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
                                     get_const_property_map(vertex_point, tm));
   const internal::Working_mesh& mesh = map.map.mesh;

@@ -13,6 +13,7 @@
 
 #include <CGAL/Surface_mesh_spline_conversion/Conversion_report.h>
 #include <CGAL/Surface_mesh_spline_conversion/Quad_layout.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/layout/scaled_jacobian.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/to_eigen.h>
 
 #include <CGAL/number_type_config.h>
@@ -150,21 +151,18 @@ private:
 
   void measure_flat_quad(std::size_t quad)
   {
-    const Eigen::Vector3d normal
-      = (point(quad, 2) - point(quad, 0)).cross(point(quad, 3) - point(quad, 1));
-    double jacobian = 1;
+    std::array<Eigen::Vector3d, 4> points;
+    for(int i = 0; i < 4; ++i)
+      points[i] = point(quad, i);
+    m_jacobians.add(scaled_jacobian(points));
     for(int i = 0; i < 4; ++i)
     {
-      const Eigen::Vector3d out = point(quad, i + 1) - point(quad, i);
-      const Eigen::Vector3d in = point(quad, i + 3) - point(quad, i);
-      const double scale = out.norm() * in.norm() * normal.norm();
-      // a side without length, as of a quad that winds around a thin part
-      jacobian = (std::min)(jacobian, scale > 0 ? out.cross(in).dot(normal) / scale : 0.);
+      const Eigen::Vector3d out = points[(i + 1) % 4] - points[i];
+      const Eigen::Vector3d in = points[(i + 3) % 4] - points[i];
       m_angles.add(std::abs(angle_in_degrees(out, in) - 90));
       const std::array<double, 2> middle = on_side(i, 0.5, 0);
       m_sizes.add(out.norm() / size_at(locate(quad, middle[0], middle[1])));
     }
-    m_jacobians.add(jacobian);
   }
 
   // the derivatives of the inverse map at the middles of n x n parts of a quad

@@ -13,12 +13,13 @@
 
 #include <CGAL/Surface_mesh_spline_conversion/Integer_grid_map.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/layout/Boundary_positions.h>
-#include <CGAL/Surface_mesh_spline_conversion/internal/layout/Cone_smoothing.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/layout/Disk_smoothing.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/layout/Integer_grid_cells.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/layout/Quad_grid.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/layout/Quad_grid_check.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/layout/Rectangle_composition.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/layout/Triangle_locator.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/layout/Vertex_smoothing.h>
 
 #include <cstddef>
 #include <vector>
@@ -38,18 +39,21 @@ public:
     m_locator = Triangle_locator();
     m_places.clear();
     m_shears.clear();
-    m_smoothing = Cone_smoothing();
+    m_disk_smoothing = Disk_smoothing();
+    m_vertex_smoothing = Vertex_smoothing();
     const Boundary_positions positions(igm.map);
     const char* failure = igm.is_resolved ? build_from_cells(igm, positions)
                                           : build_from_rectangles(igm, positions);
     return *failure ? failure : Quad_grid_check(igm.map, positions, m_quads).run();
   }
 
-  // Moves the quads around singularities, where this makes them better shaped.
-  void smooth_at_cones(const Integer_grid_map& igm)
+  // Moves the corners of badly shaped quads and their neighbours, where this makes them better.
+  void smooth(const Integer_grid_map& igm)
   {
-    m_smoothing = Cone_smoothing(igm.map, m_quads, [this](int quad, double u, double v)
+    m_disk_smoothing = Disk_smoothing(igm.map, m_quads, [this](int quad, double u, double v)
       { return locate(quad, u, v); });
+    m_vertex_smoothing = Vertex_smoothing(igm.map, m_quads, [this](int quad, double u, double v)
+      { return m_disk_smoothing(locate(quad, u, v)); });
   }
 
   const Quad_grid& quads() const { return m_quads; }
@@ -57,7 +61,7 @@ public:
   // the point of the working mesh at the local coordinates (u,v) of a quad
   Working_location operator()(std::size_t quad, double u, double v) const
   {
-    return m_smoothing(locate(quad, u, v));
+    return m_vertex_smoothing(m_disk_smoothing(locate(quad, u, v)));
   }
 
 private:
@@ -92,7 +96,8 @@ private:
   Triangle_locator m_locator;
   std::vector<Rectangle_composition::Quad_place> m_places; // per quad, empty for integer grid maps
   std::vector<Rectangle_shears> m_shears;                  // per rectangle
-  Cone_smoothing m_smoothing;
+  Disk_smoothing m_disk_smoothing;
+  Vertex_smoothing m_vertex_smoothing;
 };
 
 } // namespace internal

@@ -1,0 +1,132 @@
+// Copyright (c) 2026 the authors of the package Surface_mesh_spline_conversion.
+// All rights reserved.
+//
+// This file is part of the package Surface_mesh_spline_conversion, which is being
+// prepared for submission to CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+#ifndef CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_LAYOUT_MAP_NEIGHBORHOOD_H
+#define CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_LAYOUT_MAP_NEIGHBORHOOD_H
+
+#include <CGAL/license/Surface_mesh_spline_conversion.h>
+
+#include <CGAL/Surface_mesh_spline_conversion/internal/layout/Triangle_locator.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/map/Seamless_map.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <unordered_map>
+#include <unordered_set>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_spline_conversion {
+namespace internal {
+
+// The faces near some places of a seamless map, unfolded about the place that is nearest to each,
+// which is the origin of the chart of the face. Behind singularities, the position depends on the
+// way by which a face has been reached, and is an estimate.
+class Map_neighborhood
+{
+public:
+  typedef std::array<Eigen::Vector2d, 3> Positions;
+
+  struct Face
+  {
+    int face;
+    Positions positions; // of its vertices, in quads
+  };
+
+  // `radius`: how far away a face may be, in quads
+  Map_neighborhood(const Seamless_map& map, const std::vector<Working_location>& places,
+                   double radius)
+    : m_map(map)
+  {
+    for(const Working_location& place : places)
+      collect(place, radius);
+  }
+
+  const Seamless_map& map() const { return m_map; }
+  const std::vector<Face>& faces() const { return m_faces; }
+
+  // of the origin from a segment
+  static double distance_to_segment(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
+  {
+    const Eigen::Vector2d e = b - a;
+    const double t = (std::min)(1., (std::max)(0., -a.dot(e) / e.squaredNorm()));
+    return (a + t * e).norm();
+  }
+
+private:
+  // Visits the faces by way of their neighbours, in a chart with the place as origin.
+  void collect(const Working_location& place, double radius)
+  {
+    std::unordered_set<int> is_known;
+    std::vector<Placed_face> queue;
+    is_known.insert(place.face);
+    queue.push_back(Placed_face{place.face, 0, origin_at(place)});
+    for(std::size_t i = 0; i < queue.size(); ++i)
+    {
+      const Positions p = positions(queue[i]);
+      add(Face{queue[i].face, p});
+      for(int h = 3 * queue[i].face; h < 3 * queue[i].face + 3; ++h)
+      {
+        const int o = m_map.mesh.opposite[h];
+        if(o < 0 || distance_to_segment(p[h % 3], p[(h + 1) % 3]) > radius
+           || !is_known.insert(o / 3).second)
+          continue;
+        queue.push_back(queue[i].across(m_map, h));
+      }
+    }
+  }
+
+  // the translation that moves the place to the origin
+  Fixed_point_2 origin_at(const Working_location& place) const
+  {
+    std::array<double, 2> p = {{0, 0}};
+    for(int i = 0; i < 3; ++i)
+      for(int j = 0; j < 2; ++j)
+        p[j] += place.barycentric[i]
+                * static_cast<double>(m_map.coordinates[3 * place.face + i][j]);
+    return {{-std::llround(p[0]), -std::llround(p[1])}};
+  }
+
+  Positions positions(const Placed_face& placed) const
+  {
+    Positions result;
+    for(int i = 0; i < 3; ++i)
+    {
+      const Fixed_point_2 p = placed(m_map.coordinates[3 * placed.face + i]);
+      for(int j = 0; j < 2; ++j)
+        result[i][j] = std::ldexp(static_cast<double>(p[j]), -m_map.fractional_bits);
+    }
+    return result;
+  }
+
+  void add(const Face& face)
+  {
+    const auto entry = m_position.emplace(face.face, m_faces.size());
+    if(entry.second)
+      m_faces.push_back(face);
+    else if(Positions& known = m_faces[entry.first->second].positions;
+            middle(face.positions).norm() < middle(known).norm())
+      known = face.positions;
+  }
+
+  static Eigen::Vector2d middle(const Positions& p) { return (p[0] + p[1] + p[2]) / 3; }
+
+  const Seamless_map& m_map;
+  std::vector<Face> m_faces;
+  std::unordered_map<int, std::size_t> m_position; // by face: in `m_faces`
+};
+
+} // namespace internal
+} // namespace Surface_mesh_spline_conversion
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_LAYOUT_MAP_NEIGHBORHOOD_H

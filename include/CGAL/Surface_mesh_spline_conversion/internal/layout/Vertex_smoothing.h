@@ -1,0 +1,255 @@
+// Copyright (c) 2026 the authors of the package Surface_mesh_spline_conversion.
+// All rights reserved.
+//
+// This file is part of the package Surface_mesh_spline_conversion, which is being
+// prepared for submission to CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+#ifndef CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_LAYOUT_VERTEX_SMOOTHING_H
+#define CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_LAYOUT_VERTEX_SMOOTHING_H
+
+#include <CGAL/license/Surface_mesh_spline_conversion.h>
+
+#include <CGAL/Surface_mesh_spline_conversion/internal/layout/Harmonic_disk.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/layout/Quad_grid.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/layout/scaled_jacobian.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_spline_conversion {
+namespace internal {
+
+// Motions of the surface around the corners of flat quads that are not convex or next to it, one
+// corner after the other, where these make the worst quad at the corner better. A quad may be as
+// the map wants it, and yet be inverted when it is drawn flat, as where the surface turns much
+// within it.
+class Vertex_smoothing
+{
+public:
+  Vertex_smoothing() {}
+
+  // `locate`: the point of the working mesh at the local coordinates of a quad, before the motions
+  template <typename Locate>
+  Vertex_smoothing(const Seamless_map& map, const Quad_grid& grid, const Locate& locate)
+    : m_motions_at(map.mesh.number_of_faces()), m_map(&map), m_grid(&grid)
+  {
+    const int most_rounds = 8;
+    locate_vertices(locate);
+    bool is_changed = true;
+    for(int round = 0; round < most_rounds && is_changed; ++round)
+    {
+      is_changed = false;
+      for(int q = 0; q < grid.number_of_quads(); ++q)
+        if(shape_of(q) < tolerable_shape)
+          is_changed = improve(q) || is_changed;
+    }
+    forget_construction();
+  }
+
+  Working_location operator()(Working_location at) const
+  {
+    if(m_motions_at.empty())
+      return at;
+    // a motion may lead to a face with later ones
+    for(int next = 0; (next = first_motion(at.face, next)) >= 0; ++next)
+      at = (*m_motions[next])(at);
+    return at;
+  }
+
+private:
+  // of a quad: see `oriented_scaled_jacobian()`
+  static constexpr double tolerable_shape = 0.15;
+
+  template <typename Locate>
+  void locate_vertices(const Locate& locate)
+  {
+    m_vertices.assign(m_grid->number_of_vertices(), Working_location{-1, {{0, 0, 0}}});
+    m_quads_at.resize(m_grid->number_of_vertices());
+    for(int q = 0; q < m_grid->number_of_quads(); ++q)
+    {
+      for(int i = 0; i < 4; ++i)
+      {
+        const int v = m_grid->vertices[q][i];
+        m_quads_at[v].push_back(q);
+        if(m_vertices[v].face < 0)
+          m_vertices[v] = locate(q, i == 1 || i == 2, i >= 2);
+      }
+      m_middles.push_back(locate(q, 0.5, 0.5));
+    }
+  }
+
+  void forget_construction()
+  {
+    m_map = nullptr;
+    m_grid = nullptr;
+    m_vertices.clear();
+    m_middles.clear();
+    m_quads_at.clear();
+  }
+
+  // the first of the motions from number `i` on with parts of a face, or -1
+  int first_motion(int face, int i) const
+  {
+    const std::vector<int>& motions = m_motions_at[face];
+    const auto next = std::lower_bound(motions.begin(), motions.end(), i);
+    return next == motions.end() ? -1 : *next;
+  }
+
+  // Moves the inner corners of a quad; `false` if none did.
+  bool improve(int quad)
+  {
+    bool is_changed = false;
+    for(const int v : m_grid->vertices[quad])
+      if(!m_grid->is_border_vertex[v])
+        is_changed = improve_vertex(v) || is_changed;
+    return is_changed;
+  }
+
+  bool improve_vertex(int v)
+  {
+    for(const double radius : {0.8, 0.4, 0.2}) // in quads
+    {
+      const auto disk = std::make_shared<Harmonic_disk>(
+        Map_neighborhood(*m_map, std::vector<Working_location>(1, m_vertices[v]), radius), radius);
+      if(disk->is_valid() && improve_vertex(v, disk))
+        return true;
+    }
+    return false;
+  }
+
+  // Looks for the best place of the vertex in the disk.
+  bool improve_vertex(int v, const std::shared_ptr<Harmonic_disk>& disk)
+  {
+    const Working_location old = m_vertices[v];
+    const std::optional<Eigen::Vector2d> place = disk->place(old);
+    if(!place)
+      return false;
+    const Eigen::Vector2d from = *place;
+    const double shape = least_shape(m_quads_at[v]);
+    double best_shape = shape;
+    Eigen::Vector2d best = from;
+    const int directions = 12;
+    for(const double length : {0.12, 0.24, 0.36})
+      for(int i = 0; i < directions; ++i)
+      {
+        const double angle = 2 * pi * i / directions;
+        const Eigen::Vector2d to
+          = from + length * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+        m_vertices[v] = disk->at_place(to);
+        if(const double moved_shape = least_shape(m_quads_at[v]); moved_shape > best_shape)
+        {
+          best_shape = moved_shape;
+          best = to;
+        }
+      }
+    m_vertices[v] = old;
+    return best != from && disk->shift(from, best) && accept(disk);
+  }
+
+  // Moves all that lies in the disk if this makes the worst of the quads that change better.
+  bool accept(const std::shared_ptr<const Harmonic_disk>& disk)
+  {
+    const auto is_at = [&](const Working_location& at)
+    { return std::binary_search(disk->faces().begin(), disk->faces().end(), at.face); };
+    std::vector<int> vertices, middles, quads;
+    for(int v = 0; v < m_grid->number_of_vertices(); ++v)
+      if(is_at(m_vertices[v]))
+      {
+        vertices.push_back(v);
+        quads.insert(quads.end(), m_quads_at[v].begin(), m_quads_at[v].end());
+      }
+    for(int q = 0; q < m_grid->number_of_quads(); ++q)
+      if(is_at(m_middles[q]))
+      {
+        middles.push_back(q);
+        quads.push_back(q);
+      }
+    const std::vector<double> before = shapes_of(quads);
+    const std::vector<Working_location> old_vertices = m_vertices, old_middles = m_middles;
+    for(const int v : vertices)
+      m_vertices[v] = (*disk)(m_vertices[v]);
+    for(const int q : middles)
+      m_middles[q] = (*disk)(m_middles[q]);
+    if(!is_worst_change_better(before, shapes_of(quads)))
+    {
+      m_vertices = old_vertices;
+      m_middles = old_middles;
+      return false;
+    }
+    for(const int f : disk->faces())
+      m_motions_at[f].push_back(static_cast<int>(m_motions.size()));
+    m_motions.push_back(disk);
+    return true;
+  }
+
+  std::vector<double> shapes_of(const std::vector<int>& quads) const
+  {
+    std::vector<double> shapes;
+    for(const int q : quads)
+      shapes.push_back(shape_of(q));
+    return shapes;
+  }
+
+  // Compares the least of the values that differ.
+  static bool is_worst_change_better(const std::vector<double>& before,
+                                     const std::vector<double>& after)
+  {
+    double least_before = 1, least_after = 1;
+    for(std::size_t i = 0; i < before.size(); ++i)
+      if(before[i] != after[i])
+      {
+        least_before = (std::min)(least_before, before[i]);
+        least_after = (std::min)(least_after, after[i]);
+      }
+    return least_after > least_before;
+  }
+
+  double least_shape(const std::vector<int>& quads) const
+  {
+    double least = 1;
+    for(const int q : quads)
+      least = (std::min)(least, shape_of(q));
+    return least;
+  }
+
+  double shape_of(int quad) const
+  {
+    std::array<Eigen::Vector3d, 4> points;
+    for(int i = 0; i < 4; ++i)
+      points[i] = point(m_vertices[m_grid->vertices[quad][i]]);
+    return oriented_scaled_jacobian(points, m_map->mesh.normal(m_middles[quad].face));
+  }
+
+  Eigen::Vector3d point(const Working_location& at) const
+  {
+    const Working_mesh& mesh = m_map->mesh;
+    const std::array<int, 3>& t = mesh.triangles[at.face];
+    return at.barycentric[0] * mesh.points[t[0]] + at.barycentric[1] * mesh.points[t[1]]
+           + at.barycentric[2] * mesh.points[t[2]];
+  }
+
+  std::vector<std::shared_ptr<const Harmonic_disk> > m_motions; // one after the other
+  std::vector<std::vector<int> > m_motions_at;  // per face of the working mesh, sorted
+  // during construction only
+  const Seamless_map* m_map = nullptr;
+  const Quad_grid* m_grid = nullptr;
+  std::vector<Working_location> m_vertices;     // per vertex of the grid
+  std::vector<Working_location> m_middles;      // per quad
+  std::vector<std::vector<int> > m_quads_at;    // per vertex of the grid
+};
+
+} // namespace internal
+} // namespace Surface_mesh_spline_conversion
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_LAYOUT_VERTEX_SMOOTHING_H
