@@ -22,6 +22,7 @@
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/fit_parameters.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/format_number.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/interior_error.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/fitting/merge_pairs.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/reproject_targets.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/smooth_creases.h>
 
@@ -30,9 +31,12 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -64,23 +68,28 @@ public:
 
   Error_code operator()()
   {
-    for(; ; ++m_iteration)
+    return refine_until_met(0, (std::numeric_limits<size_type>::max)());
+  }
+
+  // Goes on after a fit that has met the tolerances: looks for a surface with fewer patches, and no
+  // more control points, that meets them too. Patches are merged, and the surface is refined from
+  // there, the worst patches first; so long as this helps.
+  Error_code coarsen()
+  {
+    constexpr int maximum_number_of_rounds = 3;
+    for(int round = 0; round < maximum_number_of_rounds; ++round)
     {
-      Real_timer timer;
-      timer.start();
-      Error_code code = fit();
-      if(code != Error_code::OK)
+      State state = save();
+      const Error_code code = fit_merged();
+      if(code == Error_code::INTERRUPTED)
         return code;
-      record(timer.time());
-      const bool is_met = m_largest.error < m_options.tolerance;
-      const std::vector<Patch_split> splits
-        = is_met ? splits_for_tangency() : m_error->violations(m_options.tolerance);
-      if(is_met && (splits.empty() || !can_refine(splits)))
-        return m_boundary_code;
-      code = refine(splits);
-      if(code != Error_code::OK)
-        return code;
+      if(code == Error_code::OK && m_surface.number_of_control_points()
+                                     <= state.surface.number_of_control_points())
+        continue;
+      restore(std::move(state));
+      break;
     }
+    return m_boundary_code;
   }
 
   // Goes on after a fit that has met the tolerances: refines the surface where someone else has
@@ -101,6 +110,20 @@ public:
   }
 
 private:
+  // what describes the surface at the end of a fit
+  struct State
+  {
+    Surface surface;
+    std::unique_ptr<Samples> samples;
+    std::unique_ptr<Errors> error;
+    Largest_error largest;
+    Error_code boundary_code;
+    Conversion_report::Boundary boundary;
+    Conversion_report::Interior interior;
+    Conversion_report::Smoothness smoothness;
+    std::string message;
+  };
+
   // Accuracy of the solutions relative to the error at the start, which is that of the surface
   // before the first fit, and the effect of the new targets for the others. Ten iterations of
   // conjugate gradients gain about four digits.
@@ -135,6 +158,64 @@ private:
            && m_iteration + 1 < maximum_number_of_iterations;
   }
 
+  // Fits, and refines the patches whose error is not below the tolerance, until there is none. Those
+  // with less than `share_of_worst` of the largest error wait. Gives up at `number_of_patches`.
+  Error_code refine_until_met(double share_of_worst, size_type number_of_patches)
+  {
+    for(; m_surface.number_of_patches() < number_of_patches; ++m_iteration)
+    {
+      Real_timer timer;
+      timer.start();
+      Error_code code = fit();
+      if(code != Error_code::OK)
+        return code;
+      record(timer.time());
+      const bool is_met = m_largest.error < m_options.tolerance;
+      const std::vector<Patch_split> splits = is_met ? splits_for_tangency() : m_error->violations(
+        (std::max)(m_options.tolerance, share_of_worst * m_largest.error));
+      if(is_met && (splits.empty() || !can_refine(splits)))
+        return m_boundary_code;
+      code = refine(splits);
+      if(code != Error_code::OK)
+        return code;
+    }
+    return Error_code::TOLERANCE_NOT_REACHED;
+  }
+
+  // merges patches in pairs, and fits the surface that has the remaining ones
+  Error_code fit_merged()
+  {
+    // the errors of patches fall with those of the worst ones beside them
+    constexpr double share_of_worst = 0.8;
+    const size_type number_of_patches = m_surface.number_of_patches();
+    const std::vector<typename Surface::Patch_origin> patches = merge_pairs(m_surface);
+    m_surface = Surface(m_target.layout());
+    m_surface.refine_to(patches);
+    m_tangency_refinements = 0;
+    ++m_iteration;
+    const Error_code code = fit_boundary();
+    return code == Error_code::OK ? refine_until_met(share_of_worst, number_of_patches) : code;
+  }
+
+  State save()
+  {
+    return State{m_surface, std::move(m_samples), std::move(m_error), m_largest, m_boundary_code,
+                 m_report.boundary, m_report.interior, m_report.smoothness, m_report.message};
+  }
+
+  void restore(State&& state)
+  {
+    m_surface = std::move(state.surface);
+    m_samples = std::move(state.samples);
+    m_error = std::move(state.error);
+    m_largest = state.largest;
+    m_boundary_code = state.boundary_code;
+    m_report.boundary = state.boundary;
+    m_report.interior = state.interior;
+    m_report.smoothness = state.smoothness;
+    m_report.message = state.message;
+  }
+
   // splits patches, and fits the boundary again, which may miss its tolerance
   Error_code refine(const std::vector<Patch_split>& splits)
   {
@@ -144,6 +225,11 @@ private:
                   + std::to_string(m_surface.number_of_patches()) + " patches; allow more "
                   "patches, or a larger interior tolerance, or make the quads smaller");
     m_surface.refine(splits);
+    return fit_boundary();
+  }
+
+  Error_code fit_boundary()
+  {
     m_boundary_code = Boundary_fitter<Surface, Target, Visitor>(
       m_surface, m_target, m_boundary_options, m_visitor, m_report)();
     return m_boundary_code == Error_code::TOLERANCE_NOT_REACHED ? Error_code::OK : m_boundary_code;

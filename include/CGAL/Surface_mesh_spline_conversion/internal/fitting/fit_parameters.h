@@ -36,6 +36,7 @@ struct Interior_fit_options
   double tolerance;
   Error_metric error_metric;
   std::size_t maximum_number_of_patches;
+  bool do_coarsen;
 };
 
 constexpr double default_relative_boundary_tolerance = 1e-6;
@@ -57,6 +58,13 @@ Error_metric error_metric(const NamedParameters& np)
                                       Error_metric::REPROJECTED);
 }
 
+template <typename NamedParameters>
+bool do_coarsen(const NamedParameters& np)
+{
+  return parameters::choose_parameter(
+    parameters::get_parameter(np, internal_np::do_coarsen_patches), false);
+}
+
 template <typename Target, typename NamedParameters>
 Boundary_fit_options boundary_fit_options(const Target& target, const NamedParameters& np)
 {
@@ -72,7 +80,8 @@ Interior_fit_options interior_fit_options(const Target& target, const NamedParam
   const double tolerance = CGAL::to_double(parameters::choose_parameter(
     parameters::get_parameter(np, internal_np::interior_tolerance),
     default_relative_interior_tolerance * CGAL::to_double(target.diameter())));
-  return Interior_fit_options{tolerance, error_metric(np), maximum_number_of_patches(np)};
+  return Interior_fit_options{tolerance, error_metric(np), maximum_number_of_patches(np),
+                              do_coarsen(np)};
 }
 
 } // namespace internal

@@ -185,11 +185,11 @@ public:
   {
     std::vector<char> is_split(m_samples.number_of_patches());
     for_each_index(is_split.size(), [&](size_type p) { is_split[p] = is_violating(p, tolerance); });
-    std::vector<Patch_split> result;
+    std::vector<size_type> patches;
     for(size_type p = 0; p < is_split.size(); ++p)
       if(is_split[p])
-        result.push_back(split(p));
-    return result;
+        patches.push_back(p);
+    return splits(patches);
   }
 
   // returns the patches with the points of the surface closest to `points`, and the directions in
@@ -199,10 +199,7 @@ public:
     std::set<size_type> patches;
     for(const typename Samples::Place& p : foot_places(points))
       patches.insert(p.patch);
-    std::vector<Patch_split> result;
-    for(size_type p : patches)
-      result.push_back(split(p));
-    return result;
+    return splits(std::vector<size_type>(patches.begin(), patches.end()));
   }
 
   // returns all patches at the points of the surface closest to `points`, to be quadrisected
@@ -227,10 +224,11 @@ public:
 private:
   typedef Surface_foot_point<Surface, typename Target::Layout, typename Samples::Place> Foot_point;
 
-  // A square patch is halved in the direction in which the error varies more, another patch in its
-  // longer direction, unless the error varies so much more in the shorter one. Halving in turns
-  // lets the halves of neighbors match: where directions are mixed, extensions of T-junctions cross,
-  // and the surface needs up to a third more control points.
+  // The square patches of a quad of the layout are halved in the direction in which their errors vary
+  // more, other patches in their longer direction, unless the error varies so much more in the other
+  // one. One direction for a quad, and halving in turns, let the halves of neighbors match: where
+  // directions are mixed, extensions of T-junctions cross, and the surface needs up to a half more
+  // control points.
   static constexpr double directional_ratio = 5;
 
   static constexpr size_type none = static_cast<size_type>(-1);
@@ -277,31 +275,69 @@ private:
     return result;
   }
 
-  // compares the sides of a patch, and the variation of the error (the integral of the squared
-  // derivative) in both directions
-  Patch_split split(size_type patch) const
+  // how much the error varies along `u` and `v`: the integrals of its squared derivatives
+  struct Variation
+  {
+    double u = 0, v = 0;
+  };
+
+  bool is_square(size_type patch) const
+  {
+    const auto origin = m_surface.patch_origin(patch);
+    return origin.u1 - origin.u0 == origin.v1 - origin.v0;
+  }
+
+  // decides in which directions `patches` are split
+  std::vector<Patch_split> splits(const std::vector<size_type>& patches) const
+  {
+    std::vector<Variation> variations(m_target.layout().number_of_quads());
+    for(size_type p : patches)
+      if(is_square(p))
+      {
+        const Variation variation = this->variation(p);
+        Variation& sum = variations[m_surface.patch_origin(p).quad];
+        sum.u += variation.u;
+        sum.v += variation.v;
+      }
+    std::vector<Patch_split> result;
+    for(size_type p : patches)
+    {
+      const Variation& of_quad = variations[m_surface.patch_origin(p).quad];
+      const bool is_along_u = is_split_along_u(p, of_quad.u >= of_quad.v);
+      result.push_back(Patch_split{p, is_along_u, !is_along_u});
+    }
+    return result;
+  }
+
+  // `is_quad_along_u`: whether the square patches of the quad are split along `u`
+  bool is_split_along_u(size_type patch, bool is_quad_along_u) const
+  {
+    const auto origin = m_surface.patch_origin(patch);
+    const FT width = origin.u1 - origin.u0, height = origin.v1 - origin.v0;
+    const Variation variation = this->variation(patch);
+    const double ratio = directional_ratio * directional_ratio;
+    if(variation.u > ratio * variation.v && FT(2) * width >= height)
+      return true;
+    if(variation.v > ratio * variation.u && FT(2) * height >= width)
+      return false;
+    return width == height ? is_quad_along_u : width > height;
+  }
+
+  Variation variation(size_type patch) const
   {
     const auto& grid = m_samples.grid(patch);
     const size_type row = grid.u + 1;
-    double along_u = 0, along_v = 0;
+    Variation result;
     for(size_type k = 0; k < grid.number_of_fit_samples(); ++k)
     {
       if(k % row != 0)
-        along_u += (difference(patch, k) - difference(patch, k - 1)).squaredNorm()
-                   * double(grid.u) / double(grid.v + 1);
+        result.u += (difference(patch, k) - difference(patch, k - 1)).squaredNorm()
+                    * double(grid.u) / double(grid.v + 1);
       if(k >= row)
-        along_v += (difference(patch, k) - difference(patch, k - row)).squaredNorm()
-                   * double(grid.v) / double(grid.u + 1);
+        result.v += (difference(patch, k) - difference(patch, k - row)).squaredNorm()
+                    * double(grid.v) / double(grid.u + 1);
     }
-    const auto origin = m_surface.patch_origin(patch);
-    const FT width = origin.u1 - origin.u0, height = origin.v1 - origin.v0;
-    const double ratio = directional_ratio * directional_ratio;
-    bool is_along_u = width == height ? along_u >= along_v : width > height;
-    if(along_u > ratio * along_v && FT(2) * width >= height)
-      is_along_u = true;
-    else if(along_v > ratio * along_u && FT(2) * height >= width)
-      is_along_u = false;
-    return Patch_split{patch, is_along_u, !is_along_u};
+    return result;
   }
 
   Eigen::Vector3d difference(size_type patch, size_type k) const
