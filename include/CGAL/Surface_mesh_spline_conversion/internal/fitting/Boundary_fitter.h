@@ -103,7 +103,7 @@ public:
         return fail(Error_code::SINGULAR_SYSTEM, "the boundary curve of chain "
                     + std::to_string(m_worst_chain) + " could not be fitted");
       record(iteration, timer.time());
-      if(m_worst.bound < m_options.tolerance)
+      if(m_worst.bound < m_options.goal)
         break;
     }
     report_errors();
@@ -171,7 +171,7 @@ private:
       m_parametric_deviation = (std::max)(m_parametric_deviation, chains[c].parametric_deviation);
       m_parametric_parts.add(chains[c].parametric_parts);
       const Span_error worst = chains[c].fit.worst();
-      m_is_met[c] = worst.bound < m_options.tolerance;
+      m_is_met[c] = worst.bound < m_options.goal;
       if(worst.bound > m_worst.bound)
       {
         m_worst = worst;
@@ -186,8 +186,7 @@ private:
     if(m_target.number_of_sides(chain) == 0)
       return;
     const Chain_knots chain_knots = knots(chain);
-    result.fit = fit_chain(chain_knots, m_curves[chain], m_options.error_metric,
-                           m_options.tolerance);
+    result.fit = fit_chain(chain_knots, m_curves[chain], m_options.error_metric, m_options.goal);
     if(result.fit.is_solved)
       measure_parametric_deviation(chain, chain_knots.basis(), result);
   }
@@ -216,7 +215,7 @@ private:
                                   Point_3(FT(polygon[i][0]), FT(polygon[i][1]), FT(polygon[i][2])));
   }
 
-  // refines the surface so that the fit of each chain is expected to meet the tolerance; returns
+  // refines the surface so that the fit of each chain is expected to reach the goal; returns
   // `false` if nothing can be refined
   bool refine()
   {
@@ -224,9 +223,8 @@ private:
     for_each_index(m_curves.size(), [&](size_type c)
     {
       if(!m_is_met[c])
-        plans[c] = plan_bisection(knots(c), m_curves[c], m_options.error_metric,
-                                  m_options.tolerance, shortest_span,
-                                  m_options.maximum_number_of_patches);
+        plans[c] = plan_bisection(knots(c), m_curves[c], m_options.error_metric, m_options.goal,
+                                  shortest_span, m_options.maximum_number_of_patches);
     });
     bool is_refined = false;
     for(;;)
@@ -297,7 +295,7 @@ private:
   Visitor& m_visitor;
   Conversion_report& m_report;
   std::vector<Cached_curve_target<Chain_target> > m_curves;
-  std::vector<bool> m_is_met; // per chain
+  std::vector<bool> m_is_met; // per chain: has it reached the goal?
   Span_error m_worst;
   double m_parametric_deviation = 0;
   Error_parts m_parametric_parts;
