@@ -77,9 +77,9 @@ struct Smooth_target
     return point(quad, u, v);
   }
 
-  Point foot_point(const Point&, std::size_t quad, double u, double v) const
+  Point foot_point(const Point&, std::size_t, double, double, const Point& start, std::size_t) const
   {
-    return point(quad, u, v);
+    return start;
   }
 
   bool is_boundary_quad(std::size_t) const { return false; }
@@ -246,6 +246,46 @@ void test_coarsening()
   }
 }
 
+// After a refinement in one place the far control points keep their places, the near ones do not, and
+// the error is that of a measurement from nothing.
+void test_local_fit()
+{
+  typedef SC::internal::Interior_fitter<T_NURCC_surface, synthetic::Target, SC::Default_visitor>
+    Fitter;
+  typedef SC::internal::Interior_samples<T_NURCC_surface, synthetic::Target> Samples;
+  const int n = 16;
+  const Input input(hill(), n, n, 4, jittered(n, n, 0.3));
+  const synthetic::Target& target = input.target();
+  T_NURCC_surface surface(input.layout());
+  SC::Conversion_report report;
+  SC::Default_visitor visitor;
+  const double d = target.diameter();
+  const auto np = params::interior_tolerance(d).boundary_tolerance(d);
+  assert(SC::fit_boundary(surface, target, report, np) == SC::Error_code::OK);
+  Fitter fitter(surface, target, SC::internal::interior_fit_options(target, np),
+                SC::internal::boundary_fit_options(target, np),
+                SC::internal::Boundary_normals<synthetic::Target>(), visitor, report);
+  assert(fitter() == SC::Error_code::OK);
+  std::vector<Point> before;
+  for(std::size_t i = 0; i < surface.number_of_control_points(); ++i)
+    before.push_back(surface.control_point(i));
+  const std::size_t quad = 4 * n + 4;
+  const Point place = surface.position(surface.patch_at(quad, 0.5, 0.5), 0.5, 0.5);
+  assert(fitter.improve({place}, {}) == SC::Error_code::OK);
+  std::size_t moved = 0;
+  for(std::size_t i = 0; i < before.size(); ++i)
+    if(surface.control_point(i) != before[i])
+    {
+      ++moved;
+      assert(std::sqrt(CGAL::squared_distance(before[i], place)) < 0.4 * d);
+    }
+  assert(10 < moved && moved < before.size() / 2);
+  const Samples samples(surface, target, nullptr);
+  const double error = SC::internal::Interior_error<T_NURCC_surface, synthetic::Target>(
+    surface, target, samples, false, nullptr).largest().error;
+  assert(std::abs(error - report.interior.max_deviation) < 1e-12 * d);
+}
+
 struct Reference_surface : Tensor_product_surface
 {
   explicit Reference_surface(const Layout& layout) : Tensor_product_surface(layout, 6, 6, false) {}
@@ -355,6 +395,7 @@ int main()
   test_local_refinement();
   test_improvement();
   test_coarsening();
+  test_local_fit();
   test_reprojection();
   test_corner();
   test_limits();

@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/Boundary_fitter.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/Interior_samples.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/Interior_system.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/fitting/Refitted_region.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/boundary_tangency.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/corner_tangents.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/fit_parameters.h>
@@ -35,6 +36,7 @@
 #include <cstddef>
 #include <limits>
 #include <memory>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -54,6 +56,7 @@ class Interior_fitter
   typedef Interior_system<Samples> System;
   typedef typename System::Points Points;
   typedef Interior_error<Surface, Target> Errors;
+  typedef Crease_smoother<Surface, Target, System> Smoother;
   typedef typename Surface::Patch_split Patch_split;
 
 public:
@@ -61,9 +64,9 @@ public:
                   const Boundary_fit_options& boundary_options,
                   const Boundary_normals<Target>& boundary_normals, Visitor& visitor,
                   Conversion_report& report)
-    : m_surface(surface), m_target(target), m_options(options),
-      m_boundary_options(boundary_options), m_boundary_normals(boundary_normals),
-      m_visitor(visitor), m_report(report)
+    : m_surface(surface), m_target(target), m_options(options), m_boundary_normals(boundary_normals),
+      m_visitor(visitor), m_report(report),
+      m_boundary_fitter(surface, target, boundary_options, visitor, report)
   {}
 
   Error_code operator()()
@@ -230,8 +233,7 @@ private:
 
   Error_code fit_boundary()
   {
-    m_boundary_code = Boundary_fitter<Surface, Target, Visitor>(
-      m_surface, m_target, m_boundary_options, m_visitor, m_report)();
+    m_boundary_code = m_boundary_fitter();
     return m_boundary_code == Error_code::TOLERANCE_NOT_REACHED ? Error_code::OK : m_boundary_code;
   }
 
@@ -251,35 +253,58 @@ private:
   {
     if(!m_visitor.go_further())
       return Error_code::INTERRUPTED;
-    m_samples.reset(new Samples(m_surface, m_target, m_samples.get()));
-    Samples& samples = *m_samples;
-    std::vector<bool> is_fixed = boundary_control_points();
-    Corner_tangents<Surface, Target>(m_surface, m_target)(is_fixed);
-    if(m_boundary_normals && !fit_tangency(samples, is_fixed))
-      return fail(Error_code::SINGULAR_SYSTEM, "the second row of control points could not be "
-                  "determined");
-    System system(samples, is_fixed);
-    if(!system.is_valid() || !solve(system, first_accuracy))
-      return fail(Error_code::SINGULAR_SYSTEM, "the control points could not be determined");
-    for(size_type i = 0; i < number_of_reprojections(); ++i)
-    {
-      if(!m_visitor.go_further())
-        return Error_code::INTERRUPTED;
-      Target_reprojection<Surface, Target>(m_surface, m_target, samples)();
-      if(!solve(system, next_accuracy))
-        return fail(Error_code::SINGULAR_SYSTEM, "the control points could not be determined");
-    }
-    Crease_smoother<Surface, Target, System>(m_surface, m_target, system)();
-    m_error.reset(new Errors(m_surface, m_target, samples,
-                             m_options.error_metric == Error_metric::PARAMETRIC));
+    const std::unique_ptr<Samples> previous = std::move(m_samples);
+    const std::unique_ptr<Errors> previous_error = std::move(m_error);
+    m_samples.reset(new Samples(m_surface, m_target, previous.get()));
+    const Error_code code = move_control_points();
+    if(code != Error_code::OK)
+      return code;
+    m_error.reset(new Errors(m_surface, m_target, *m_samples,
+                             m_options.error_metric == Error_metric::PARAMETRIC,
+                             previous_error.get()));
     m_largest = m_error->largest();
     return Error_code::OK;
   }
 
-  // fits the second row of control points to the target, then to the normals along the boundary
-  bool fit_tangency(const Samples& samples, std::vector<bool>& is_fixed)
+  Error_code move_control_points()
   {
-    System system(samples, is_fixed);
+    Samples& samples = *m_samples;
+    std::vector<bool> is_fixed = boundary_control_points();
+    Corner_tangents<Surface, Target>(m_surface, m_target)(is_fixed);
+    Smoother smoother(m_surface, m_target);
+    if(m_boundary_normals && !fit_tangency(is_fixed))
+      return fail(Error_code::SINGULAR_SYSTEM, "the second row of control points could not be "
+                  "determined");
+    // with normals, the second row of control points has moved along the whole boundary
+    const Refitted_region<Samples> region(samples, is_fixed, smoother.patches_of_lines(),
+                                          bool(m_boundary_normals));
+    const System system(samples, region.is_fixed(), region.patches());
+    if(!system.is_valid())
+      return fail(Error_code::SINGULAR_SYSTEM, "the control points could not be determined");
+    // in a part of the surface, patches that have not been split keep their targets
+    if(region.is_whole())
+      samples.reset_fit_targets();
+    bool is_solved = solve(system, first_accuracy);
+    for(size_type i = 0; is_solved && i < number_of_reprojections(); ++i)
+    {
+      if(!m_visitor.go_further())
+        return Error_code::INTERRUPTED;
+      Target_reprojection<Surface, Target>(m_surface, m_target, samples)(region.patches());
+      is_solved = solve(system, next_accuracy);
+    }
+    if(!is_solved)
+      return fail(Error_code::SINGULAR_SYSTEM, "the control points could not be determined");
+    smoother(system);
+    return Error_code::OK;
+  }
+
+  // fits the second row of control points to the target, then to the normals along the boundary
+  bool fit_tangency(std::vector<bool>& is_fixed)
+  {
+    std::vector<size_type> patches(m_samples->number_of_patches());
+    std::iota(patches.begin(), patches.end(), size_type(0));
+    m_samples->reset_fit_targets();
+    const System system(*m_samples, is_fixed, patches);
     if(!system.is_valid() || !solve(system, first_accuracy))
       return false;
     Boundary_tangency<Surface, Target> tangency(m_surface, m_target, m_boundary_normals);
@@ -300,7 +325,7 @@ private:
     return result;
   }
 
-  bool solve(System& system, double accuracy)
+  bool solve(const System& system, double accuracy)
   {
     const Eigen::Index n = static_cast<Eigen::Index>(m_surface.number_of_control_points());
     Points points(n, 3);
@@ -333,10 +358,10 @@ private:
   Surface& m_surface;
   const Target& m_target;
   Interior_fit_options m_options;
-  Boundary_fit_options m_boundary_options;
   Boundary_normals<Target> m_boundary_normals;
   Visitor& m_visitor;
   Conversion_report& m_report;
+  Boundary_fitter<Surface, Target, Visitor> m_boundary_fitter;
   std::unique_ptr<Samples> m_samples; // at the last refinement level
   std::unique_ptr<Errors> m_error;    // of the last fit
   Largest_error m_largest;

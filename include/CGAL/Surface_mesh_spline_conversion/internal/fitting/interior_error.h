@@ -138,50 +138,63 @@ class Interior_error
   typedef typename Surface::Patch_split Patch_split;
 
 public:
-  // `is_parametric`: only the distances between points with equal parameters count
+  // `is_parametric`: only the distances between points with equal parameters count.
+  // `previous`: the error on the previous samples, or a null pointer; it is kept where neither the
+  // surface nor its neighbourhood has changed
   Interior_error(const Surface& surface, const Target& target, const Samples& samples,
-                 bool is_parametric)
+                 bool is_parametric, const Interior_error* previous)
     : m_surface(surface), m_target(target), m_samples(samples), m_is_parametric(is_parametric)
   {
+    for(size_type i = 0; i < surface.number_of_control_points(); ++i)
+      m_control_points.push_back(to_eigen(surface.control_point(i)));
+    m_is_kept.assign(samples.number_of_patches(), false);
+    if(previous != nullptr)
+      find_kept_patches(*previous);
     const size_type n = samples.number_of_error_samples();
     m_points.resize(n);
-    m_bounds.resize(n);
-    for_each_index(n, [&](size_type i)
+    m_distances.resize(n);
+    m_is_bound.resize(n);
+    for_each_index(samples.number_of_patches(), [&](size_type p)
     {
-      const typename Samples::Place at = place(i);
-      m_points[i] = to_eigen(surface.position(at.patch, at.u, at.v));
-      m_bounds[i] = (m_points[i] - target_point(i)).norm();
+      if(m_is_kept[p])
+        copy_distances(p, *previous);
+      else
+        make_bounds(p);
     });
     if(!is_parametric)
-      measure_vertices();
+      measure_vertices(previous);
   }
 
   // returns the largest distance
-  Largest_error largest() const
+  Largest_error largest()
   {
-    std::vector<size_type> order(m_bounds.size());
+    constexpr size_type batch_size = 64; // measured at once
+    std::vector<size_type> order(m_distances.size());
     std::iota(order.begin(), order.end(), size_type(0));
-    std::make_heap(order.begin(), order.end(), [this](size_type a, size_type b)
-      { return comes_before(b, a); });
+    const auto is_smaller = [this](size_type a, size_type b) { return comes_before(b, a); };
+    std::make_heap(order.begin(), order.end(), is_smaller);
 
     Largest_error result = m_largest_of_vertices;
-    for(auto end = order.end(); end != order.begin(); --end)
+    while(!order.empty() && m_distances[order.front()] > result.error)
     {
-      if(!(m_bounds[order.front()] > result.error))
-        break;
-      const size_type i = order.front();
-      const double distance = this->distance(i);
-      if(distance > result.error)
-        result = Largest_error{distance, m_points[i]};
-      std::pop_heap(order.begin(), end, [this](size_type a, size_type b)
-        { return comes_before(b, a); });
+      std::vector<size_type> batch;
+      while(!order.empty() && batch.size() < batch_size)
+      {
+        std::pop_heap(order.begin(), order.end(), is_smaller);
+        batch.push_back(order.back());
+        order.pop_back();
+      }
+      for_each_index(batch.size(), [&](size_type k) { distance(batch[k]); });
+      for(size_type i : batch)
+        if(m_distances[i] > result.error)
+          result = Largest_error{m_distances[i], m_points[i]};
     }
     return result;
   }
 
   // returns the patches with a distance of at least `tolerance`, and the directions in which they
   // should be split
-  std::vector<Patch_split> violations(double tolerance) const
+  std::vector<Patch_split> violations(double tolerance)
   {
     std::vector<char> is_split(m_samples.number_of_patches());
     for_each_index(is_split.size(), [&](size_type p) { is_split[p] = is_violating(p, tolerance); });
@@ -245,18 +258,18 @@ private:
 
   bool comes_before(size_type a, size_type b) const
   {
-    return m_bounds[a] != m_bounds[b] ? m_bounds[a] > m_bounds[b] : a < b;
+    return m_distances[a] != m_distances[b] ? m_distances[a] > m_distances[b] : a < b;
   }
 
   // Only samples whose bound violates the tolerance are measured, up to the first one that violates
   // it.
-  bool is_violating(size_type patch, double tolerance) const
+  bool is_violating(size_type patch, double tolerance)
   {
     if(!m_is_parametric && m_vertex_errors[patch] >= tolerance)
       return true;
     const size_type end = m_samples.first_error_sample(patch + 1);
     for(size_type i = m_samples.first_error_sample(patch); i < end; ++i)
-      if(m_bounds[i] >= tolerance && distance(i) >= tolerance)
+      if(m_distances[i] >= tolerance && distance(i) >= tolerance)
         return true;
     return false;
   }
@@ -345,19 +358,29 @@ private:
     return m_points[m_samples.error_sample(patch, k)] - m_samples.fit_target(patch, k);
   }
 
-  double distance(size_type i) const
+  // measures the distance at a sample, unless it is known
+  double distance(size_type i)
   {
-    return m_is_parametric ? m_bounds[i]
-                           : (std::max)(distance_to_target(i), distance_to_surface(i));
+    if(m_is_bound[i])
+    {
+      m_distances[i] = (std::max)(distance_to_target(i), distance_to_surface(i));
+      m_is_bound[i] = false;
+    }
+    return m_distances[i];
   }
 
   double distance_to_target(size_type i) const
   {
     const typename Samples::Place at = place(i);
-    const Eigen::Vector3d& p = m_points[i];
+    const Point_3 p = to_point(m_points[i]), start = to_point(target_point(i));
     const Point_3 foot
-      = m_target.foot_point(Point_3(FT(p[0]), FT(p[1]), FT(p[2])), at.quad, at.u, at.v);
-    return (std::min)(m_bounds[i], (to_eigen(foot) - p).norm());
+      = m_target.foot_point(p, at.quad, at.u, at.v, start, m_samples.mesh_face(i));
+    return (std::min)(m_distances[i], (to_eigen(foot) - m_points[i]).norm());
+  }
+
+  static Point_3 to_point(const Eigen::Vector3d& p)
+  {
+    return Point_3(FT(p[0]), FT(p[1]), FT(p[2]));
   }
 
   double distance_to_surface(size_type i) const
@@ -371,25 +394,93 @@ private:
     return (Foot_point(m_surface, m_target.layout(), query, place(i))() - query).norm();
   }
 
-  void measure_vertices()
+  void make_bounds(size_type patch)
+  {
+    for(size_type i = m_samples.first_error_sample(patch);
+        i < m_samples.first_error_sample(patch + 1); ++i)
+    {
+      const typename Samples::Place at = place(i);
+      m_points[i] = to_eigen(m_surface.position(at.patch, at.u, at.v));
+      m_distances[i] = (m_points[i] - target_point(i)).norm();
+      m_is_bound[i] = !m_is_parametric;
+    }
+  }
+
+  // A patch is kept if its points are where they were, and those of its neighbours, on which closest
+  // points may lie.
+  void find_kept_patches(const Interior_error& previous)
+  {
+    std::vector<bool> is_near_change(m_control_points.size(), false);
+    for(size_type p = 0; p < m_is_kept.size(); ++p)
+      if(!has_previous_points(p, previous))
+        for(size_type i = 0; i < m_samples.number_of_functions(p); ++i)
+          is_near_change[m_samples.function(p, i)] = true;
+    for(size_type p = 0; p < m_is_kept.size(); ++p)
+    {
+      m_is_kept[p] = true;
+      for(size_type i = 0; i < m_samples.number_of_functions(p); ++i)
+        if(is_near_change[m_samples.function(p, i)])
+          m_is_kept[p] = false;
+    }
+  }
+
+  bool has_previous_points(size_type patch, const Interior_error& previous) const
+  {
+    if(!m_samples.has_previous_functions(patch))
+      return false;
+    for(size_type i = 0; i < m_samples.number_of_functions(patch); ++i)
+    {
+      const size_type c = m_samples.function(patch, i);
+      if(m_control_points[c] != previous.m_control_points[c])
+        return false;
+    }
+    return true;
+  }
+
+  // returns the number of a sample of a kept patch among the previous ones
+  size_type previous_sample(size_type i, const Interior_error& previous) const
+  {
+    const size_type patch = place(i).patch;
+    return previous.m_samples.first_error_sample(m_samples.previous_patch(patch)) + i
+           - m_samples.first_error_sample(patch);
+  }
+
+  void copy_distances(size_type patch, const Interior_error& previous)
+  {
+    for(size_type i = m_samples.first_error_sample(patch);
+        i < m_samples.first_error_sample(patch + 1); ++i)
+    {
+      const size_type old = previous_sample(i, previous);
+      m_points[i] = previous.m_points[old];
+      m_distances[i] = previous.m_distances[old];
+      m_is_bound[i] = previous.m_is_bound[old];
+    }
+  }
+
+  void measure_vertices(const Interior_error* previous)
   {
     m_vertex_errors.assign(m_samples.number_of_patches(), 0);
-    const std::vector<size_type> nearest = nearest_samples();
-    std::vector<double> errors(nearest.size(), 0);
-    for_each_index(nearest.size(), [&](size_type v)
+    m_nearest = nearest_samples();
+    m_errors_of_vertices.assign(m_nearest.size(), 0);
+    for_each_index(m_nearest.size(), [&](size_type v)
     {
-      const size_type i = nearest[v];
-      if(i != none && !m_target.is_boundary_quad(place(i).quad))
-        errors[v] = distance_to_surface(to_eigen(m_target.mesh_vertex(v)), i);
+      const size_type i = m_nearest[v];
+      if(i == none || m_target.is_boundary_quad(place(i).quad))
+        return;
+      const bool is_known = m_is_kept[place(i).patch]
+                            && previous->m_nearest[v] == previous_sample(i, *previous);
+      m_errors_of_vertices[v] = is_known ? previous->m_errors_of_vertices[v]
+                                         : distance_to_surface(to_eigen(m_target.mesh_vertex(v)), i);
     });
-    for(size_type v = 0; v < nearest.size(); ++v)
+    for(size_type v = 0; v < m_nearest.size(); ++v)
     {
-      if(nearest[v] == none)
+      if(m_nearest[v] == none)
         continue;
-      double& largest_of_patch = m_vertex_errors[place(nearest[v]).patch];
-      largest_of_patch = (std::max)(largest_of_patch, errors[v]);
-      if(errors[v] > m_largest_of_vertices.error)
-        m_largest_of_vertices = Largest_error{errors[v], to_eigen(m_target.mesh_vertex(v))};
+      const double error = m_errors_of_vertices[v];
+      double& largest_of_patch = m_vertex_errors[place(m_nearest[v]).patch];
+      largest_of_patch = (std::max)(largest_of_patch, error);
+      if(error > m_largest_of_vertices.error)
+        m_largest_of_vertices = Largest_error{error, to_eigen(m_target.mesh_vertex(v))};
     }
   }
 
@@ -420,8 +511,13 @@ private:
   const Samples& m_samples;
   bool m_is_parametric;
   std::vector<Eigen::Vector3d> m_points; // of the surface
-  std::vector<double> m_bounds;
-  std::vector<double> m_vertex_errors; // per patch
+  std::vector<Eigen::Vector3d> m_control_points;
+  std::vector<double> m_distances; // at the samples
+  std::vector<char> m_is_bound;    // are these upper bounds, or measured?
+  std::vector<char> m_is_kept;     // patches
+  std::vector<size_type> m_nearest; // samples to the vertices of the mesh
+  std::vector<double> m_errors_of_vertices;
+  std::vector<double> m_vertex_errors; // the largest ones of the patches
   Largest_error m_largest_of_vertices;
 };
 
