@@ -197,6 +197,7 @@ Exit_code convert_and_write(const Options& options, const Case& input,
       .quad_size_map(resolution.quad_size)
       .error_metric(resolution.error_metric)
       .maximum_number_of_patches(resolution.maximum_number_of_patches)
+      .do_coarsen_patches(options.do_coarsen)
       .boundary_tangency(normals)
       .vertex_is_constrained_map(input.vertex_is_corner_map())
       .visitor(std::ref(visitor)));

@@ -329,6 +329,12 @@ public:
   /// them, see `refine_boundary()`. A patch may occur more than once.
   void refine(const std::vector<Patch_split>& splits);
 
+  /// splits patches until none of them is longer, in `u` or in `v`, than one of the given rectangles
+  /// that it overlaps, and refines what has to be refined with them, see `refine_boundary()`. A new
+  /// surface that is refined to the patches of another one on the same layout, some of them merged,
+  /// is a coarser surface than that.
+  void refine_to(const std::vector<Patch_origin>& rectangles);
+
   /// halves the knot intervals of the boundary that overlap the given spans, on row 0 alone, and
   /// what has to be refined with them to have a sound surface: neighboring intervals of row 0, and
   /// the parts of a side of a patch, differ at most by a factor of two; the faces around an

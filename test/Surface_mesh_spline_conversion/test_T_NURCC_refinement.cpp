@@ -309,6 +309,62 @@ void test_directional_refinement()
   }
 }
 
+// each patch of a surface that is refined to the patches of another one lies in one of those
+template <typename K>
+void check_patches_of_copy(const Surface<K>& surface, const Surface<K>& copy)
+{
+  assert(copy.is_valid());
+  for(std::size_t i = 0; i < copy.number_of_patches(); ++i)
+  {
+    const auto r = copy.patch_origin(i);
+    const auto s = surface.patch_origin(surface.patch_at(r.quad, (r.u0 + r.u1) / 2,
+                                                         (r.v0 + r.v1) / 2));
+    assert(s.u0 <= r.u0 && r.u1 <= s.u1 && s.v0 <= r.v0 && r.v1 <= s.v1);
+  }
+}
+
+// refinement to given rectangles
+template <typename K>
+void test_refinement_to_rectangles(Layout<K> layout)
+{
+  typedef typename Surface<K>::Patch_origin Patch_origin;
+  std::mt19937 generator(3);
+  add_chains(layout, 0.3, generator);
+  const Surface<K> surface(layout);
+  std::vector<Patch_origin> patches;
+  for(std::size_t q = 0; q < layout.number_of_quads(); ++q)
+    patches.push_back(Patch_origin{q, 0, 0, 1, 1});
+  Surface<K> same = surface;
+  same.refine_to(patches); // nothing is to be done
+  assert(same.number_of_patches() == surface.number_of_patches()
+         && largest_difference(surface, same) == 0);
+
+  Surface<K> refined = surface, uniform = surface;
+  for(int step = 0; step < 4; ++step)
+    refined.refine(std::vector<std::size_t>{generator() % refined.number_of_patches()});
+  patches.clear();
+  for(std::size_t i = 0; i < refined.number_of_patches(); ++i)
+    patches.push_back(refined.patch_origin(i));
+  Surface<K> copy = surface;
+  copy.refine_to(patches);
+  check_patches_of_copy(refined, copy);
+  assert(copy.number_of_patches() == refined.number_of_patches());
+
+  // a small rectangle acts where it is
+  uniform.refine_uniformly();
+  copy = surface;
+  copy.refine_to({Patch_origin{0, 0.25, 0.5, 0.5, 0.75}});
+  const auto r = copy.patch_origin(copy.patch_at(0, 0.3, 0.6));
+  assert(copy.is_valid() && r.u0 == 0.25 && r.u1 == 0.5 && r.v0 == 0.5 && r.v1 == 0.75);
+  patches.clear();
+  for(std::size_t i = 0; i < uniform.number_of_patches(); ++i)
+    patches.push_back(uniform.patch_origin(i));
+  copy = surface;
+  copy.refine_to(patches);
+  assert(copy.number_of_control_points() == uniform.number_of_control_points());
+  assert(largest_difference(uniform, copy) < 1e-12);
+}
+
 // layouts that are not supported are reported
 void test_errors()
 {
@@ -329,6 +385,9 @@ int main()
   test_kernel<CGAL::Exact_predicates_inexact_constructions_kernel>(1);
   test_local_refinement<CGAL::Simple_cartesian<double> >();
   test_directional_refinement<CGAL::Simple_cartesian<double> >();
+  test_refinement_to_rectangles(grid_layout<CGAL::Simple_cartesian<double> >(4, 3));
+  for(const int n : {3, 5, 6})
+    test_refinement_to_rectangles(fan_layout<CGAL::Simple_cartesian<double> >(n, 2));
   test_errors();
   return EXIT_SUCCESS;
 }

@@ -77,9 +77,9 @@ struct Smooth_target
     return point(quad, u, v);
   }
 
-  Point foot_point(const Point&, std::size_t quad, double u, double v) const
+  Point foot_point(const Point&, std::size_t, double, double, const Point& start, std::size_t) const
   {
-    return point(quad, u, v);
+    return start;
   }
 
   bool is_boundary_quad(std::size_t) const { return false; }
@@ -191,6 +191,101 @@ void test_improvement()
   assert((iterations == std::vector<std::size_t>{0, 1, 2}));
 }
 
+// the largest distance at equal parameters, at points that are no samples of the fit
+double distance_between_samples(const T_NURCC_surface& surface, const Smooth_target& target)
+{
+  double result = 0;
+  for(std::size_t p = 0; p < surface.number_of_patches(); ++p)
+  {
+    const auto o = surface.patch_origin(p);
+    for(double s : {0.06, 0.29, 0.57, 0.91})
+      for(double t : {0.11, 0.44, 0.68, 0.97})
+      {
+        const double u = o.u0 + s * (o.u1 - o.u0), v = o.v0 + t * (o.v1 - o.v0);
+        const Vector d = surface.position(p, u, v) - target.point(o.quad, u, v);
+        result = (std::max)(result, std::sqrt(d.squared_length()));
+      }
+  }
+  return result;
+}
+
+// A surface that was refined everywhere becomes coarser where the tolerance allows it; one that
+// cannot become coarser is kept. The report tells the errors of the surface that remains.
+void test_coarsening()
+{
+  const Surface shape = hill();
+  const Input input(shape, 8, 8, 1);
+  const Smooth_target target{input, shape};
+  const double tolerance = 1e-4 * target.diameter();
+  const auto fit = [&](T_NURCC_surface& surface, SC::Conversion_report& report, bool do_coarsen)
+  {
+    const auto np = params::interior_tolerance(tolerance).boundary_tolerance(target.diameter())
+                    .error_metric(SC::Error_metric::PARAMETRIC).do_coarsen_patches(do_coarsen);
+    assert(SC::fit_boundary(surface, target, report, np) == SC::Error_code::OK);
+    assert(SC::fit_interior(surface, target, report, np) == SC::Error_code::OK);
+  };
+  for(const bool is_fine : {false, true})
+  {
+    T_NURCC_surface fitted(input.layout()), coarsened(input.layout());
+    SC::Conversion_report report, report_of_coarsened;
+    if(is_fine)
+    {
+      fitted.refine_uniformly();
+      coarsened.refine_uniformly();
+    }
+    fit(fitted, report, false);
+    fit(coarsened, report_of_coarsened, true);
+    assert(coarsened.is_valid());
+    assert(coarsened.number_of_patches() <= fitted.number_of_patches());
+    assert(coarsened.number_of_control_points() <= fitted.number_of_control_points());
+    assert(!is_fine || 3 * coarsened.number_of_patches() < 2 * fitted.number_of_patches());
+    const double error = distance_between_samples(coarsened, target);
+    assert(error < 1.1 * tolerance);
+    assert(report_of_coarsened.interior.max_deviation < tolerance
+           && error < 1.1 * report_of_coarsened.interior.max_deviation);
+  }
+}
+
+// After a refinement in one place the far control points keep their places, the near ones do not, and
+// the error is that of a measurement from nothing.
+void test_local_fit()
+{
+  typedef SC::internal::Interior_fitter<T_NURCC_surface, synthetic::Target, SC::Default_visitor>
+    Fitter;
+  typedef SC::internal::Interior_samples<T_NURCC_surface, synthetic::Target> Samples;
+  const int n = 16;
+  const Input input(hill(), n, n, 4, jittered(n, n, 0.3));
+  const synthetic::Target& target = input.target();
+  T_NURCC_surface surface(input.layout());
+  SC::Conversion_report report;
+  SC::Default_visitor visitor;
+  const double d = target.diameter();
+  const auto np = params::interior_tolerance(d).boundary_tolerance(d);
+  assert(SC::fit_boundary(surface, target, report, np) == SC::Error_code::OK);
+  Fitter fitter(surface, target, SC::internal::interior_fit_options(target, np),
+                SC::internal::boundary_fit_options(target, np),
+                SC::internal::Boundary_normals<synthetic::Target>(), visitor, report);
+  assert(fitter() == SC::Error_code::OK);
+  std::vector<Point> before;
+  for(std::size_t i = 0; i < surface.number_of_control_points(); ++i)
+    before.push_back(surface.control_point(i));
+  const std::size_t quad = 4 * n + 4;
+  const Point place = surface.position(surface.patch_at(quad, 0.5, 0.5), 0.5, 0.5);
+  assert(fitter.improve({place}, {}) == SC::Error_code::OK);
+  std::size_t moved = 0;
+  for(std::size_t i = 0; i < before.size(); ++i)
+    if(surface.control_point(i) != before[i])
+    {
+      ++moved;
+      assert(std::sqrt(CGAL::squared_distance(before[i], place)) < 0.4 * d);
+    }
+  assert(10 < moved && moved < before.size() / 2);
+  const Samples samples(surface, target, nullptr);
+  const double error = SC::internal::Interior_error<T_NURCC_surface, synthetic::Target>(
+    surface, target, samples, false, nullptr).largest().error;
+  assert(std::abs(error - report.interior.max_deviation) < 1e-12 * d);
+}
+
 struct Reference_surface : Tensor_product_surface
 {
   explicit Reference_surface(const Layout& layout) : Tensor_product_surface(layout, 6, 6, false) {}
@@ -299,6 +394,8 @@ int main()
   test_convergence<T_NURCC_surface>(height_field(0.3));
   test_local_refinement();
   test_improvement();
+  test_coarsening();
+  test_local_fit();
   test_reprojection();
   test_corner();
   test_limits();

@@ -108,6 +108,10 @@ void test_inside(const Input& input)
       {
         const Point p = target.point(q, u, v);
         assert(distance(target.foot_point(p, q, u, v), p) < 1e-14);
+        std::size_t face;
+        assert(target.point(q, u, v, face) == p);
+        const Point near = p + 0.02 * target.quad_size(q) * Vector(-0.4, 0.2, 0.6);
+        assert(target.foot_point(near, q, u, v, p, face) == target.foot_point(near, q, u, v));
         if(target.is_boundary_quad(q))
           continue;
         ++inner;

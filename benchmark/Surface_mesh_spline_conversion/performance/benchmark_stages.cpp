@@ -1,5 +1,5 @@
 // Measures the stages of the conversion one by one. The input of each stage is computed once.
-// usage: benchmark_stages [CASE] [options of Google Benchmark]
+// usage: benchmark_stages [CASE [XI DELTA]] [options of Google Benchmark]
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh_spline_conversion/Boundary_curve_network_3.h>
@@ -10,6 +10,7 @@
 #include <CGAL/Surface_mesh_spline_conversion/extract_quad_layout.h>
 #include <CGAL/Surface_mesh_spline_conversion/fit_boundary.h>
 #include <CGAL/Surface_mesh_spline_conversion/fit_interior.h>
+#include <CGAL/Real_timer.h>
 #include <CGAL/T_NURCC_surface_3.h>
 
 #include <benchmark/benchmark.h>
@@ -17,8 +18,10 @@
 #include <cstdint>
 #include <cstdlib>
 #include <iostream>
+#include <numeric>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace SC = CGAL::Surface_mesh_spline_conversion;
 
@@ -95,7 +98,7 @@ void measure_target(benchmark::State& state, const Pipeline& pipeline)
 }
 
 // the tolerances are relative to the diameter
-const double xi = 1e-5, delta = 5e-3;
+double xi = 1e-5, delta = 5e-3;
 
 void measure_fit_boundary(benchmark::State& state, const Pipeline& pipeline)
 {
@@ -109,6 +112,57 @@ void measure_fit_boundary(benchmark::State& state, const Pipeline& pipeline)
                                   CGAL::parameters::boundary_tolerance(xi * network.diameter())));
     state.counters["patches"] = static_cast<double>(surface.number_of_patches());
   }
+}
+
+// returns how long it takes to sample, assemble and solve the system of the interior fit once, from
+// control points at the origin on
+double final_system_seconds(const Surface& surface, const Target& target)
+{
+  typedef SC::internal::Interior_samples<Surface, Target> Samples;
+  typedef SC::internal::Interior_system<Samples> System;
+  const double accuracy = 1e-6;
+  CGAL::Real_timer timer;
+  timer.start();
+  const Samples samples(surface, target, nullptr);
+  std::vector<bool> is_fixed(surface.number_of_control_points(), false);
+  System::Points points = System::Points::Zero(Eigen::Index(is_fixed.size()), 3);
+  for(std::size_t c = 0; c < surface.number_of_boundary_chains(); ++c)
+    for(std::size_t i : surface.boundary_curve(c).control_points)
+    {
+      is_fixed[i] = true;
+      points.row(Eigen::Index(i))
+        = SC::internal::to_eigen(surface.control_point(i)).transpose();
+    }
+  std::vector<std::size_t> patches(surface.number_of_patches());
+  std::iota(patches.begin(), patches.end(), std::size_t(0));
+  System(samples, is_fixed, patches).solve(points, accuracy);
+  benchmark::DoNotOptimize(points.data());
+  return timer.time();
+}
+
+// both fits, and their time in units of that of the final system
+void measure_fit(benchmark::State& state, const Pipeline& pipeline)
+{
+  const Network network = pipeline.network();
+  const Target target(pipeline.layout, network, pipeline.input.mesh);
+  const auto np = CGAL::parameters::boundary_tolerance(xi * network.diameter())
+                    .interior_tolerance(delta * network.diameter());
+  CGAL::Real_timer timer;
+  double system_seconds = 0;
+  for(auto _ : state)
+  {
+    Surface surface(pipeline.layout);
+    SC::Conversion_report report;
+    timer.start();
+    check(state, SC::fit_boundary(surface, target, report, np));
+    check(state, SC::fit_interior(surface, target, report, np));
+    timer.stop();
+    state.PauseTiming();
+    system_seconds += final_system_seconds(surface, target);
+    state.ResumeTiming();
+    state.counters["control_points"] = static_cast<double>(surface.number_of_control_points());
+  }
+  state.counters["final_systems"] = timer.time() / system_seconds;
 }
 
 void measure_fit_interior(benchmark::State& state, const Pipeline& pipeline)
@@ -170,6 +224,11 @@ int main(int argc, char* argv[])
   benchmark::Initialize(&argc, argv);
   if(argc > 1)
     path = argv[1];
+  if(argc > 3)
+  {
+    xi = std::atof(argv[2]);
+    delta = std::atof(argv[3]);
+  }
   Pipeline pipeline;
   if(!prepare(path, pipeline))
     return EXIT_FAILURE;
@@ -183,6 +242,7 @@ int main(int argc, char* argv[])
     {"target", measure_target},
     {"fit_boundary", measure_fit_boundary},
     {"fit_interior", measure_fit_interior},
+    {"fit", measure_fit},
     {"evaluation", measure_evaluation}};
   for(const auto& measurement : measurements)
     benchmark::RegisterBenchmark(

@@ -87,9 +87,9 @@ public:
     face = 0;
     return point(quad, u, v);
   }
-  Point_3 foot_point(const Point_3&, std::size_t quad, FT u, FT v) const
+  Point_3 foot_point(const Point_3&, std::size_t, FT, FT, const Point_3& start, std::size_t) const
   {
-    return point(quad, u, v); // distances are those at equal (x,y)
+    return start; // distances are those at equal (x,y)
   }
 
   Point_3 curve_point(std::size_t chain, FT t) const

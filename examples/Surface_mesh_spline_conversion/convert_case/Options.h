@@ -33,6 +33,7 @@ struct Options
   std::size_t maximum_number_of_patches = 200000; // the default of the library
   std::string error_metric = "reprojected";
   bool do_merge = true;
+  bool do_coarsen = false;
   bool is_tangent = false;
   bool is_quiet = false;
   bool asks_for_help = false;
@@ -60,6 +61,7 @@ inline const char* usage()
     "  --tangent          make the surface tangent to the faces of the residual model\n"
     "  --threads N        at most N threads (all cores; one if built without TBB)\n"
     "  --max-patches N    stop refining at this number of patches\n"
+    "  --coarsen          look for a surface with fewer patches after the fit\n"
     "  --error-metric M   parametric, reprojected (default), or hausdorff\n"
     "  --no-merge         one face per Bezier element in the STEP file\n"
     "  --quiet            no progress on the standard error stream\n"
@@ -127,6 +129,7 @@ inline std::string parse_options(const std::vector<std::string>& arguments, Opti
   const std::map<std::string, std::function<void()> > switches = {
     {"--relative", [&options] { options.is_relative = true; }},
     {"--tangent", [&options] { options.is_tangent = true; }},
+    {"--coarsen", [&options] { options.do_coarsen = true; }},
     {"--no-merge", [&options] { options.do_merge = false; }},
     {"--quiet", [&options] { options.is_quiet = true; }},
     {"--help", [&options] { options.asks_for_help = true; }}};

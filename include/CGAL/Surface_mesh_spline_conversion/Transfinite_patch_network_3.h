@@ -210,22 +210,19 @@ public:
   */
   Point_3 foot_point(const Point_3& p, size_type quad, const FT& u, const FT& v) const
   {
-    const Mesh_place start = place_on_mesh(quad, u, v);
-    const Mesh_projection::Point_3 query
-      = Mesh_projection::to_double_point(p - start.displacement);
-    const Mesh_projection::Foot hint{Mesh_projection::to_double_point(start.location.point),
-                                     start.location.face};
-    const Mesh_projection::Foot foot = (*m_mesh)(query, hint);
-    // quads near extraordinary points may be much smaller than the others
-    const double limit
-      = largest_move * CGAL::to_double((std::max)(m_quad_sizes[quad], m_mean_quad_size));
-    const bool is_near = CGAL::squared_distance(foot.point, hint.point) <= limit * limit;
-    const bool is_same_side
-      = foot.face == hint.face || m_mesh->normal(foot.face) * m_mesh->normal(hint.face) > 0;
-    if(!is_near || !is_same_side)
-      return start.location.point + start.displacement;
-    return Point_3(FT(foot.point.x()), FT(foot.point.y()), FT(foot.point.z()))
-           + start.displacement;
+    return foot_point(p, quad, place_on_mesh(quad, u, v));
+  }
+
+  /// returns the same point; `start` is `point(quad, u, v, face)`, which need not be found again.
+  Point_3 foot_point(const Point_3& p, size_type quad, const FT& u, const FT& v,
+                     const Point_3& start, size_type face) const
+  {
+    if(is_boundary_quad(quad))
+      return foot_point(p, quad, u, v);
+    Mesh_place place{typename Layout::Location(), Vector_3(FT(0), FT(0), FT(0))};
+    place.location.point = start;
+    place.location.face = face;
+    return foot_point(p, quad, place);
   }
 
   /// @}
@@ -354,6 +351,25 @@ private:
     if(m_corner_displacements[quad])
       displacement = displacement - blended_corners(*m_corner_displacements[quad], u, v);
     return Mesh_place{inverse_map_across(quad, warped_u, warped_v), displacement};
+  }
+
+  Point_3 foot_point(const Point_3& p, size_type quad, const Mesh_place& start) const
+  {
+    const Mesh_projection::Point_3 query
+      = Mesh_projection::to_double_point(p - start.displacement);
+    const Mesh_projection::Foot hint{Mesh_projection::to_double_point(start.location.point),
+                                     start.location.face};
+    const Mesh_projection::Foot foot = (*m_mesh)(query, hint);
+    // quads near extraordinary points may be much smaller than the others
+    const double limit
+      = largest_move * CGAL::to_double((std::max)(m_quad_sizes[quad], m_mean_quad_size));
+    const bool is_near = CGAL::squared_distance(foot.point, hint.point) <= limit * limit;
+    const bool is_same_side
+      = foot.face == hint.face || m_mesh->normal(foot.face) * m_mesh->normal(hint.face) > 0;
+    if(!is_near || !is_same_side)
+      return start.location.point + start.displacement;
+    return Point_3(FT(foot.point.x()), FT(foot.point.y()), FT(foot.point.z()))
+           + start.displacement;
   }
 
   static Vector_3 blended_corners(const Corner_displacements& corners, const FT& u, const FT& v)

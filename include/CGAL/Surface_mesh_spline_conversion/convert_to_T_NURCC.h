@@ -117,6 +117,13 @@ mesh to T-NURCC surface conversion*, Computers & Graphics 82 (2019).
     \cgalParamType{`Error_metric`}
     \cgalParamDefault{`Error_metric::REPROJECTED`}
   \cgalParamNEnd
+  \cgalParamNBegin{do_coarsen_patches}
+    \cgalParamDescription{whether, after the fit, a surface with fewer patches is searched: patches are
+                           merged, and split again where the tolerances ask for it. This takes about
+                           as long as the fit, and saves a few percent of the patches.}
+    \cgalParamType{`bool`}
+    \cgalParamDefault{`false`}
+  \cgalParamNEnd
   \cgalParamNBegin{maximum_number_of_patches}
     \cgalParamDescription{a surface is not refined if it would have more patches than that}
     \cgalParamType{`std::size_t`}

@@ -201,6 +201,8 @@ private:
   {
     const std::string message = part.message;
     Error_code code = run("fit_interior", part, [&]() { return fitter(); });
+    if(code == Error_code::OK && m_options.do_coarsen)
+      code = run("fit_interior", part, [&]() { return fitter.coarsen(); });
     for(int round = 0; is_surface(code); ++round)
     {
       Deviation<Kernel> deviation;

@@ -43,6 +43,7 @@ struct Conversion_options
   double corner_angle; // in degrees
   Error_metric error_metric;
   std::size_t maximum_number_of_patches;
+  bool do_coarsen;
 };
 
 // the normals beyond the boundary that the user gave, or an empty function
@@ -94,6 +95,7 @@ Conversion_options conversion_options(const NamedParameters& np, double diameter
   options.error_metric = choose_parameter(get_parameter(np, internal_np::error_metric),
                                           Error_metric::REPROJECTED);
   options.maximum_number_of_patches = maximum_number_of_patches(np);
+  options.do_coarsen = do_coarsen(np);
   report.boundary_tolerance = options.boundary_tolerance;
   report.interior_tolerance = options.interior_tolerance;
   for(const double tolerance : {options.boundary_tolerance, options.interior_tolerance})

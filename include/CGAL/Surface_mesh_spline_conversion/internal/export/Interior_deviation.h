@@ -106,8 +106,10 @@ private:
   static constexpr int MINIMUM_NUMBER_OF_INTERVALS = 4;
   static constexpr int MAXIMUM_NUMBER_OF_INTERVALS = 64;
   static constexpr unsigned int NUMBER_OF_STARTS = 6;
-  static constexpr std::size_t NUMBER_OF_CANDIDATES = 2000;
-  static constexpr std::size_t NUMBER_OF_CLIMBS = 24;
+  static constexpr std::size_t MINIMUM_NUMBER_OF_CLIMBS = 24;
+
+  // Between samples the deviation may be that much larger: a crease of the mesh passes between them.
+  static constexpr double CLOSE_TO_BOUND = 0.75;
 
   struct Sample
   {
@@ -129,6 +131,14 @@ private:
   {
     double deviation;
     std::size_t piece; // the nearest one
+  };
+
+  // the end of a climb
+  struct Summit
+  {
+    std::size_t piece;
+    double deviation;
+    Eigen::Vector3d place;
   };
 
   struct Violation
@@ -203,32 +213,52 @@ private:
     return is_inside ? distance : (std::max)(0., distance - gap);
   }
 
-  // walks uphill from the largest samples, one of a piece, so that the maximum does not hang on the
-  // grid
+  // Walks uphill from the largest samples, one of a piece, so that neither the maximum nor the
+  // verdict on a piece hangs on the grid.
   void climb()
   {
-    std::vector<std::size_t> order(m_samples.size());
-    std::iota(order.begin(), order.end(), std::size_t(0));
-    const std::size_t n = (std::min)(NUMBER_OF_CANDIDATES, order.size());
-    std::partial_sort(order.begin(), order.begin() + std::ptrdiff_t(n), order.end(),
-                      [this](std::size_t a, std::size_t b)
-                      { return std::make_pair(-m_deviations[a], a)
-                             < std::make_pair(-m_deviations[b], b); });
-    std::size_t hint = 0;
-    std::set<std::size_t> pieces;
-    for(std::size_t i = 0; i < n && pieces.size() < NUMBER_OF_CLIMBS; ++i)
-      if(pieces.insert(m_samples[order[i]].piece).second)
-        climb_from(m_samples[order[i]], m_deviations[order[i]], hint);
+    const std::vector<std::size_t> starts = starts_of_climbs();
+    std::vector<Summit> summits(starts.size());
+    for_each_index(starts.size(), [&](std::size_t i) { summits[i] = climb_from(starts[i]); });
+    for(const Summit& summit : summits)
+    {
+      note_violation(summit.piece, summit.deviation, summit.place);
+      if(summit.deviation > m_statistics.maximum)
+      {
+        m_statistics.maximum = summit.deviation;
+        m_statistics.worst = summit.place;
+      }
+    }
+  }
+
+  // the largest samples of the pieces that come close to the bound, and of a few more
+  std::vector<std::size_t> starts_of_climbs() const
+  {
+    std::vector<std::size_t> result;
+    for(std::size_t i = 0; i < m_samples.size(); ++i)
+      if(i == 0 || m_samples[i].piece != m_samples[i - 1].piece)
+        result.push_back(i);
+      else if(m_deviations[i] > m_deviations[result.back()])
+        result.back() = i;
+    std::sort(result.begin(), result.end(), [this](std::size_t a, std::size_t b)
+      { return std::make_pair(-m_deviations[a], a) < std::make_pair(-m_deviations[b], b); });
+    std::size_t n = (std::min)(MINIMUM_NUMBER_OF_CLIMBS, result.size());
+    while(n < result.size() && m_deviations[result[n]] > CLOSE_TO_BOUND * m_statistics.bound)
+      ++n;
+    result.resize(n);
+    return result;
   }
 
   // tries the eight directions of the compass with smaller and smaller steps
-  void climb_from(Sample sample, double deviation, std::size_t& hint)
+  Summit climb_from(std::size_t start) const
   {
     constexpr double FIRST_STEP = 1. / 16, LAST_STEP = 1e-5; // of the parameters
     static const std::array<std::array<int, 2>, 8> directions
       = {{{{1, 0}}, {{0, 1}}, {{-1, 0}}, {{0, -1}}, {{1, 1}}, {{-1, 1}}, {{-1, -1}}, {{1, -1}}}};
+    Sample sample = m_samples[start];
     const Bezier_piece& piece = m_pieces[sample.piece];
-    Eigen::Vector3d worst = piece.point(sample.u, sample.v);
+    Summit summit{sample.piece, m_deviations[start], m_points[start]};
+    std::size_t hint = 0;
     for(double step = FIRST_STEP; step > LAST_STEP; )
     {
       bool has_improved = false;
@@ -238,22 +268,17 @@ private:
         const double v = clamped(sample.v + step * direction[1]);
         const Eigen::Vector3d p = piece.point(u, v);
         const double next = excess(p, m_mesh.foot(p, hint).distance);
-        if(!(next > deviation))
+        if(!(next > summit.deviation))
           continue;
         sample = {sample.piece, u, v};
-        deviation = next;
-        worst = p;
+        summit.deviation = next;
+        summit.place = p;
         has_improved = true;
       }
       if(!has_improved)
         step /= 2;
     }
-    note_violation(sample.piece, deviation, worst);
-    if(deviation > m_statistics.maximum)
-    {
-      m_statistics.maximum = deviation;
-      m_statistics.worst = worst;
-    }
+    return summit;
   }
 
   static double clamped(double t) { return (std::min)(1., (std::max)(0., t)); }

@@ -85,6 +85,7 @@ public:
   {
     for(size_type c = 0; c < target.number_of_chains(); ++c)
       m_curves.emplace_back(Chain_target{&target, c});
+    m_chains.resize(m_curves.size());
   }
 
   Error_code operator()()
@@ -103,7 +104,7 @@ public:
         return fail(Error_code::SINGULAR_SYSTEM, "the boundary curve of chain "
                     + std::to_string(m_worst_chain) + " could not be fitted");
       record(iteration, timer.time());
-      if(m_worst.bound < m_options.tolerance)
+      if(m_worst.bound < m_options.goal)
         break;
     }
     report_errors();
@@ -123,6 +124,7 @@ private:
   // the fit of a chain on the knots of the surface, and its errors at equal parameters
   struct Fitted_chain
   {
+    Chain_knots knots;
     Chain_fit fit;
     double parametric_deviation = 0;
     Error_parts parametric_parts;
@@ -149,29 +151,28 @@ private:
     return result;
   }
 
-  // fits all chains on the knots of the surface
+  // fits all chains on the knots of the surface; those whose knots are as before keep their fit
   bool fit()
   {
     m_worst = Span_error();
     m_parametric_deviation = 0;
     m_parametric_parts = Error_parts();
     m_is_met.assign(m_curves.size(), true);
-    std::vector<Fitted_chain> chains(m_curves.size());
-    for_each_index(m_curves.size(), [&](size_type c) { fit(c, chains[c]); });
+    for_each_index(m_curves.size(), [&](size_type c) { fit(c, m_chains[c]); });
     for(size_type c = 0; c < m_curves.size(); ++c)
     {
       if(m_target.number_of_sides(c) == 0)
         continue;
-      if(!chains[c].fit.is_solved)
+      if(!m_chains[c].fit.is_solved)
       {
         m_worst_chain = c;
         return false;
       }
-      set_control_points(c, chains[c].fit.polygon);
-      m_parametric_deviation = (std::max)(m_parametric_deviation, chains[c].parametric_deviation);
-      m_parametric_parts.add(chains[c].parametric_parts);
-      const Span_error worst = chains[c].fit.worst();
-      m_is_met[c] = worst.bound < m_options.tolerance;
+      set_control_points(c, m_chains[c].fit.polygon);
+      m_parametric_deviation = (std::max)(m_parametric_deviation, m_chains[c].parametric_deviation);
+      m_parametric_parts.add(m_chains[c].parametric_parts);
+      const Span_error worst = m_chains[c].fit.worst();
+      m_is_met[c] = worst.bound < m_options.goal;
       if(worst.bound > m_worst.bound)
       {
         m_worst = worst;
@@ -186,8 +187,11 @@ private:
     if(m_target.number_of_sides(chain) == 0)
       return;
     const Chain_knots chain_knots = knots(chain);
-    result.fit = fit_chain(chain_knots, m_curves[chain], m_options.error_metric,
-                           m_options.tolerance);
+    if(result.fit.is_solved && chain_knots.knots == result.knots.knots)
+      return;
+    result = Fitted_chain();
+    result.knots = chain_knots;
+    result.fit = fit_chain(chain_knots, m_curves[chain], m_options.error_metric, m_options.goal);
     if(result.fit.is_solved)
       measure_parametric_deviation(chain, chain_knots.basis(), result);
   }
@@ -216,7 +220,7 @@ private:
                                   Point_3(FT(polygon[i][0]), FT(polygon[i][1]), FT(polygon[i][2])));
   }
 
-  // refines the surface so that the fit of each chain is expected to meet the tolerance; returns
+  // refines the surface so that the fit of each chain is expected to reach the goal; returns
   // `false` if nothing can be refined
   bool refine()
   {
@@ -224,9 +228,8 @@ private:
     for_each_index(m_curves.size(), [&](size_type c)
     {
       if(!m_is_met[c])
-        plans[c] = plan_bisection(knots(c), m_curves[c], m_options.error_metric,
-                                  m_options.tolerance, shortest_span,
-                                  m_options.maximum_number_of_patches);
+        plans[c] = plan_bisection(knots(c), m_curves[c], m_options.error_metric, m_options.goal,
+                                  shortest_span, m_options.maximum_number_of_patches);
     });
     bool is_refined = false;
     for(;;)
@@ -297,7 +300,8 @@ private:
   Visitor& m_visitor;
   Conversion_report& m_report;
   std::vector<Cached_curve_target<Chain_target> > m_curves;
-  std::vector<bool> m_is_met; // per chain
+  std::vector<Fitted_chain> m_chains;
+  std::vector<bool> m_is_met; // per chain: has it reached the goal?
   Span_error m_worst;
   double m_parametric_deviation = 0;
   Error_parts m_parametric_parts;

@@ -17,11 +17,13 @@
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/Boundary_fitter.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/Interior_samples.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/Interior_system.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/fitting/Refitted_region.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/boundary_tangency.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/corner_tangents.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/fit_parameters.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/format_number.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/interior_error.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/fitting/merge_pairs.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/reproject_targets.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/smooth_creases.h>
 
@@ -30,9 +32,13 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <memory>
+#include <numeric>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -50,6 +56,7 @@ class Interior_fitter
   typedef Interior_system<Samples> System;
   typedef typename System::Points Points;
   typedef Interior_error<Surface, Target> Errors;
+  typedef Crease_smoother<Surface, Target, System> Smoother;
   typedef typename Surface::Patch_split Patch_split;
 
 public:
@@ -57,30 +64,35 @@ public:
                   const Boundary_fit_options& boundary_options,
                   const Boundary_normals<Target>& boundary_normals, Visitor& visitor,
                   Conversion_report& report)
-    : m_surface(surface), m_target(target), m_options(options),
-      m_boundary_options(boundary_options), m_boundary_normals(boundary_normals),
-      m_visitor(visitor), m_report(report)
+    : m_surface(surface), m_target(target), m_options(options), m_boundary_normals(boundary_normals),
+      m_visitor(visitor), m_report(report),
+      m_boundary_fitter(surface, target, boundary_options, visitor, report)
   {}
 
   Error_code operator()()
   {
-    for(; ; ++m_iteration)
+    return refine_until_met(0, (std::numeric_limits<size_type>::max)());
+  }
+
+  // Goes on after a fit that has met the tolerances: looks for a surface with fewer patches, and no
+  // more control points, that meets them too. Patches are merged, and the surface is refined from
+  // there, the worst patches first; so long as this helps.
+  Error_code coarsen()
+  {
+    constexpr int maximum_number_of_rounds = 3;
+    for(int round = 0; round < maximum_number_of_rounds; ++round)
     {
-      Real_timer timer;
-      timer.start();
-      Error_code code = fit();
-      if(code != Error_code::OK)
+      State state = save();
+      const Error_code code = fit_merged();
+      if(code == Error_code::INTERRUPTED)
         return code;
-      record(timer.time());
-      const bool is_met = m_largest.error < m_options.tolerance;
-      const std::vector<Patch_split> splits
-        = is_met ? splits_for_tangency() : m_error->violations(m_options.tolerance);
-      if(is_met && (splits.empty() || !can_refine(splits)))
-        return m_boundary_code;
-      code = refine(splits);
-      if(code != Error_code::OK)
-        return code;
+      if(code == Error_code::OK && m_surface.number_of_control_points()
+                                     <= state.surface.number_of_control_points())
+        continue;
+      restore(std::move(state));
+      break;
     }
+    return m_boundary_code;
   }
 
   // Goes on after a fit that has met the tolerances: refines the surface where someone else has
@@ -101,6 +113,20 @@ public:
   }
 
 private:
+  // what describes the surface at the end of a fit
+  struct State
+  {
+    Surface surface;
+    std::unique_ptr<Samples> samples;
+    std::unique_ptr<Errors> error;
+    Largest_error largest;
+    Error_code boundary_code;
+    Conversion_report::Boundary boundary;
+    Conversion_report::Interior interior;
+    Conversion_report::Smoothness smoothness;
+    std::string message;
+  };
+
   // Accuracy of the solutions relative to the error at the start, which is that of the surface
   // before the first fit, and the effect of the new targets for the others. Ten iterations of
   // conjugate gradients gain about four digits.
@@ -135,6 +161,64 @@ private:
            && m_iteration + 1 < maximum_number_of_iterations;
   }
 
+  // Fits, and refines the patches whose error is not below the tolerance, until there is none. Those
+  // with less than `share_of_worst` of the largest error wait. Gives up at `number_of_patches`.
+  Error_code refine_until_met(double share_of_worst, size_type number_of_patches)
+  {
+    for(; m_surface.number_of_patches() < number_of_patches; ++m_iteration)
+    {
+      Real_timer timer;
+      timer.start();
+      Error_code code = fit();
+      if(code != Error_code::OK)
+        return code;
+      record(timer.time());
+      const bool is_met = m_largest.error < m_options.tolerance;
+      const std::vector<Patch_split> splits = is_met ? splits_for_tangency() : m_error->violations(
+        (std::max)(m_options.tolerance, share_of_worst * m_largest.error));
+      if(is_met && (splits.empty() || !can_refine(splits)))
+        return m_boundary_code;
+      code = refine(splits);
+      if(code != Error_code::OK)
+        return code;
+    }
+    return Error_code::TOLERANCE_NOT_REACHED;
+  }
+
+  // merges patches in pairs, and fits the surface that has the remaining ones
+  Error_code fit_merged()
+  {
+    // the errors of patches fall with those of the worst ones beside them
+    constexpr double share_of_worst = 0.8;
+    const size_type number_of_patches = m_surface.number_of_patches();
+    const std::vector<typename Surface::Patch_origin> patches = merge_pairs(m_surface);
+    m_surface = Surface(m_target.layout());
+    m_surface.refine_to(patches);
+    m_tangency_refinements = 0;
+    ++m_iteration;
+    const Error_code code = fit_boundary();
+    return code == Error_code::OK ? refine_until_met(share_of_worst, number_of_patches) : code;
+  }
+
+  State save()
+  {
+    return State{m_surface, std::move(m_samples), std::move(m_error), m_largest, m_boundary_code,
+                 m_report.boundary, m_report.interior, m_report.smoothness, m_report.message};
+  }
+
+  void restore(State&& state)
+  {
+    m_surface = std::move(state.surface);
+    m_samples = std::move(state.samples);
+    m_error = std::move(state.error);
+    m_largest = state.largest;
+    m_boundary_code = state.boundary_code;
+    m_report.boundary = state.boundary;
+    m_report.interior = state.interior;
+    m_report.smoothness = state.smoothness;
+    m_report.message = state.message;
+  }
+
   // splits patches, and fits the boundary again, which may miss its tolerance
   Error_code refine(const std::vector<Patch_split>& splits)
   {
@@ -144,8 +228,12 @@ private:
                   + std::to_string(m_surface.number_of_patches()) + " patches; allow more "
                   "patches, or a larger interior tolerance, or make the quads smaller");
     m_surface.refine(splits);
-    m_boundary_code = Boundary_fitter<Surface, Target, Visitor>(
-      m_surface, m_target, m_boundary_options, m_visitor, m_report)();
+    return fit_boundary();
+  }
+
+  Error_code fit_boundary()
+  {
+    m_boundary_code = m_boundary_fitter();
     return m_boundary_code == Error_code::TOLERANCE_NOT_REACHED ? Error_code::OK : m_boundary_code;
   }
 
@@ -165,35 +253,58 @@ private:
   {
     if(!m_visitor.go_further())
       return Error_code::INTERRUPTED;
-    m_samples.reset(new Samples(m_surface, m_target, m_samples.get()));
-    Samples& samples = *m_samples;
-    std::vector<bool> is_fixed = boundary_control_points();
-    Corner_tangents<Surface, Target>(m_surface, m_target)(is_fixed);
-    if(m_boundary_normals && !fit_tangency(samples, is_fixed))
-      return fail(Error_code::SINGULAR_SYSTEM, "the second row of control points could not be "
-                  "determined");
-    System system(samples, is_fixed);
-    if(!system.is_valid() || !solve(system, first_accuracy))
-      return fail(Error_code::SINGULAR_SYSTEM, "the control points could not be determined");
-    for(size_type i = 0; i < number_of_reprojections(); ++i)
-    {
-      if(!m_visitor.go_further())
-        return Error_code::INTERRUPTED;
-      Target_reprojection<Surface, Target>(m_surface, m_target, samples)();
-      if(!solve(system, next_accuracy))
-        return fail(Error_code::SINGULAR_SYSTEM, "the control points could not be determined");
-    }
-    Crease_smoother<Surface, Target, System>(m_surface, m_target, system)();
-    m_error.reset(new Errors(m_surface, m_target, samples,
-                             m_options.error_metric == Error_metric::PARAMETRIC));
+    const std::unique_ptr<Samples> previous = std::move(m_samples);
+    const std::unique_ptr<Errors> previous_error = std::move(m_error);
+    m_samples.reset(new Samples(m_surface, m_target, previous.get()));
+    const Error_code code = move_control_points();
+    if(code != Error_code::OK)
+      return code;
+    m_error.reset(new Errors(m_surface, m_target, *m_samples,
+                             m_options.error_metric == Error_metric::PARAMETRIC,
+                             previous_error.get()));
     m_largest = m_error->largest();
     return Error_code::OK;
   }
 
-  // fits the second row of control points to the target, then to the normals along the boundary
-  bool fit_tangency(const Samples& samples, std::vector<bool>& is_fixed)
+  Error_code move_control_points()
   {
-    System system(samples, is_fixed);
+    Samples& samples = *m_samples;
+    std::vector<bool> is_fixed = boundary_control_points();
+    Corner_tangents<Surface, Target>(m_surface, m_target)(is_fixed);
+    Smoother smoother(m_surface, m_target);
+    if(m_boundary_normals && !fit_tangency(is_fixed))
+      return fail(Error_code::SINGULAR_SYSTEM, "the second row of control points could not be "
+                  "determined");
+    // with normals, the second row of control points has moved along the whole boundary
+    const Refitted_region<Samples> region(samples, is_fixed, smoother.patches_of_lines(),
+                                          bool(m_boundary_normals));
+    const System system(samples, region.is_fixed(), region.patches());
+    if(!system.is_valid())
+      return fail(Error_code::SINGULAR_SYSTEM, "the control points could not be determined");
+    // in a part of the surface, patches that have not been split keep their targets
+    if(region.is_whole())
+      samples.reset_fit_targets();
+    bool is_solved = solve(system, first_accuracy);
+    for(size_type i = 0; is_solved && i < number_of_reprojections(); ++i)
+    {
+      if(!m_visitor.go_further())
+        return Error_code::INTERRUPTED;
+      Target_reprojection<Surface, Target>(m_surface, m_target, samples)(region.patches());
+      is_solved = solve(system, next_accuracy);
+    }
+    if(!is_solved)
+      return fail(Error_code::SINGULAR_SYSTEM, "the control points could not be determined");
+    smoother(system);
+    return Error_code::OK;
+  }
+
+  // fits the second row of control points to the target, then to the normals along the boundary
+  bool fit_tangency(std::vector<bool>& is_fixed)
+  {
+    std::vector<size_type> patches(m_samples->number_of_patches());
+    std::iota(patches.begin(), patches.end(), size_type(0));
+    m_samples->reset_fit_targets();
+    const System system(*m_samples, is_fixed, patches);
     if(!system.is_valid() || !solve(system, first_accuracy))
       return false;
     Boundary_tangency<Surface, Target> tangency(m_surface, m_target, m_boundary_normals);
@@ -214,7 +325,7 @@ private:
     return result;
   }
 
-  bool solve(System& system, double accuracy)
+  bool solve(const System& system, double accuracy)
   {
     const Eigen::Index n = static_cast<Eigen::Index>(m_surface.number_of_control_points());
     Points points(n, 3);
@@ -247,10 +358,10 @@ private:
   Surface& m_surface;
   const Target& m_target;
   Interior_fit_options m_options;
-  Boundary_fit_options m_boundary_options;
   Boundary_normals<Target> m_boundary_normals;
   Visitor& m_visitor;
   Conversion_report& m_report;
+  Boundary_fitter<Surface, Target, Visitor> m_boundary_fitter;
   std::unique_ptr<Samples> m_samples; // at the last refinement level
   std::unique_ptr<Errors> m_error;    // of the last fit
   Largest_error m_largest;

@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
+#include <CGAL/Surface_mesh_spline_conversion/internal/for_each_index.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/to_eigen.h>
 
 #include <CGAL/number_utils.h>
@@ -60,39 +61,39 @@ public:
     size_type number_of_error_samples() const { return (2 * u + 1) * (2 * v + 1); }
   };
 
+  static constexpr size_type none = static_cast<size_type>(-1);
+
   // `previous`: the samples of the same target before the surface was refined, or a null pointer;
   // what is known of patches that still exist is taken from there
   Interior_samples(const Surface& surface, const Target& target, const Interior_samples* previous)
     : m_surface(surface), m_target(target), m_number_of_patches(surface.number_of_patches())
-    , m_local_numbers(surface.number_of_control_points(), none)
   {
-    const std::vector<size_type> order = previous != nullptr ? previous->sorted_patches()
-                                                             : std::vector<size_type>();
-    m_first_function.push_back(0);
-    m_first_value.push_back(0);
-    m_first_fit_sample.push_back(0);
-    m_first_error_sample.push_back(0);
     for(size_type p = 0; p < m_number_of_patches; ++p)
-    {
       m_origins.push_back(surface.patch_origin(p));
-      const size_type old = previous != nullptr ? previous->find(order, m_origins[p]) : none;
-      m_grids.push_back(old != none ? previous->grid(old) : choose_grid(p));
-      m_first_fit_sample.push_back(m_first_fit_sample[p] + m_grids[p].number_of_fit_samples());
-      m_first_error_sample.push_back(m_first_error_sample[p]
-                                     + m_grids[p].number_of_error_samples());
-      m_patches.resize(m_first_error_sample.back(), p);
-      add_stencils(p);
-      if(old != none)
-        copy_targets(*previous, old);
+    find_previous_patches(previous);
+    m_grids.resize(m_number_of_patches);
+    for_each_index(m_number_of_patches, [&](size_type p)
+      { m_grids[p] = is_known(p) ? previous->grid(m_previous[p]) : choose_grid(p); });
+    number_samples();
+    make_stencils(previous);
+    for_each_index(m_number_of_patches, [&](size_type p)
+    {
+      if(is_known(p))
+        copy_targets(p, *previous);
       else
-        add_targets(p);
-    }
-    reset_fit_targets();
+        make_targets(p);
+    });
   }
 
   size_type number_of_patches() const { return m_number_of_patches; }
 
   const Grid& grid(size_type patch) const { return m_grids[patch]; }
+
+  // returns the number of a patch among the previous samples, or `none`
+  size_type previous_patch(size_type patch) const { return m_previous[patch]; }
+
+  // returns `true` if the functions on a patch are those of the previous samples
+  bool has_previous_functions(size_type patch) const { return m_has_previous_functions[patch]; }
 
   // returns the number of control points that act on a patch
   size_type number_of_functions(size_type patch) const
@@ -163,20 +164,25 @@ public:
     m_fit_targets[m_first_fit_sample[patch] + k] = p;
   }
 
-  // takes the points with equal parameters as targets
+  // takes the points with equal parameters as targets of the fit
   void reset_fit_targets()
   {
-    m_fit_targets.clear();
-    for(size_type p = 0; p < m_number_of_patches; ++p)
-      for(size_type k = 0; k < m_grids[p].number_of_fit_samples(); ++k)
-        m_fit_targets.push_back(target(error_sample(p, k)));
+    for_each_index(m_number_of_patches, [this](size_type p) { reset_fit_targets(p); });
   }
 
 private:
   typedef typename std::decay<decltype(std::declval<Surface>().patch_origin(0))>::type Origin;
 
+  typedef std::vector<typename Surface::Basis_function> Stencil; // the functions at a sample
+
+  // the control points that act on a patch, and their weights at the samples
+  struct Patch_stencils
+  {
+    std::vector<size_type> functions;
+    std::vector<double> values;
+  };
+
   static constexpr size_type coarse_grid = 2, fine_grid = 4;
-  static constexpr size_type none = static_cast<size_type>(-1);
 
   static Place place(size_type patch, const FT& s, const FT& t, const Origin& o)
   {
@@ -199,6 +205,34 @@ private:
     const auto it = std::lower_bound(sorted.begin(), sorted.end(), o,
       [this](size_type a, const Origin& b) { return key(m_origins[a]) < key(b); });
     return it != sorted.end() && key(m_origins[*it]) == key(o) ? *it : none;
+  }
+
+  bool is_known(size_type patch) const { return m_previous[patch] != none; }
+
+  void find_previous_patches(const Interior_samples* previous)
+  {
+    m_previous.assign(m_number_of_patches, none);
+    if(previous == nullptr)
+      return;
+    const std::vector<size_type> order = previous->sorted_patches();
+    for(size_type p = 0; p < m_number_of_patches; ++p)
+      m_previous[p] = previous->find(order, m_origins[p]);
+  }
+
+  void number_samples()
+  {
+    m_first_fit_sample.push_back(0);
+    m_first_error_sample.push_back(0);
+    for(size_type p = 0; p < m_number_of_patches; ++p)
+    {
+      m_first_fit_sample.push_back(m_first_fit_sample[p] + m_grids[p].number_of_fit_samples());
+      m_first_error_sample.push_back(m_first_error_sample[p]
+                                     + m_grids[p].number_of_error_samples());
+      m_patches.resize(m_first_error_sample.back(), p);
+    }
+    m_targets.resize(m_first_error_sample.back());
+    m_faces.resize(m_first_error_sample.back());
+    m_fit_targets.resize(m_first_fit_sample.back());
   }
 
   // compares the lines in the middle of the patch with the longest edge of the face in its center
@@ -228,61 +262,106 @@ private:
                 number((center - lower).norm() + (upper - center).norm())};
   }
 
-  void add_targets(size_type patch)
+  void make_targets(size_type patch)
   {
     for(size_type i = first_error_sample(patch); i < first_error_sample(patch + 1); ++i)
     {
       const Place at = error_place(i);
-      size_type face;
-      m_targets.push_back(to_eigen(m_target.point(at.quad, at.u, at.v, face)));
-      m_faces.push_back(face);
+      m_targets[i] = to_eigen(m_target.point(at.quad, at.u, at.v, m_faces[i]));
+    }
+    reset_fit_targets(patch);
+  }
+
+  void copy_targets(size_type patch, const Interior_samples& other)
+  {
+    const size_type old = m_previous[patch], first = first_error_sample(patch);
+    const size_type old_first = other.first_error_sample(old);
+    for(size_type i = first; i < first_error_sample(patch + 1); ++i)
+    {
+      m_targets[i] = other.m_targets[old_first + i - first];
+      m_faces[i] = other.m_faces[old_first + i - first];
+    }
+    for(size_type k = 0; k < m_grids[patch].number_of_fit_samples(); ++k)
+      set_fit_target(patch, k, other.fit_target(old, k));
+  }
+
+  void reset_fit_targets(size_type patch)
+  {
+    for(size_type k = 0; k < m_grids[patch].number_of_fit_samples(); ++k)
+      set_fit_target(patch, k, target(error_sample(patch, k)));
+  }
+
+  void make_stencils(const Interior_samples* previous)
+  {
+    std::vector<Patch_stencils> stencils(m_number_of_patches);
+    for_each_index(m_number_of_patches, [&](size_type p) { stencils[p] = patch_stencils(p); });
+    m_first_function.push_back(0);
+    m_first_value.push_back(0);
+    m_has_previous_functions.resize(m_number_of_patches);
+    for(size_type p = 0; p < m_number_of_patches; ++p)
+    {
+      const Patch_stencils& s = stencils[p];
+      m_functions.insert(m_functions.end(), s.functions.begin(), s.functions.end());
+      m_values.insert(m_values.end(), s.values.begin(), s.values.end());
+      m_first_function.push_back(m_functions.size());
+      m_first_value.push_back(m_values.size());
+      m_has_previous_functions[p] = is_known(p) && previous->has_functions(m_previous[p], s);
     }
   }
 
-  void copy_targets(const Interior_samples& other, size_type patch)
+  bool has_functions(size_type patch, const Patch_stencils& s) const
   {
-    const auto begin = static_cast<std::ptrdiff_t>(other.first_error_sample(patch));
-    const auto end = static_cast<std::ptrdiff_t>(other.first_error_sample(patch + 1));
-    m_targets.insert(m_targets.end(), other.m_targets.begin() + begin,
-                     other.m_targets.begin() + end);
-    m_faces.insert(m_faces.end(), other.m_faces.begin() + begin, other.m_faces.begin() + end);
+    return number_of_functions(patch) == s.functions.size()
+           && std::equal(s.functions.begin(), s.functions.end(),
+                         m_functions.data() + m_first_function[patch])
+           && std::equal(s.values.begin(), s.values.end(),
+                         m_values.data() + m_first_value[patch]);
   }
 
-  void add_stencils(size_type patch)
+  Patch_stencils patch_stencils(size_type patch) const
   {
     const Grid& g = m_grids[patch];
     const size_type samples = g.number_of_fit_samples();
-    const size_type first = m_functions.size();
-    m_stencils.resize((std::max)(m_stencils.size(), samples));
+    std::vector<Stencil> stencils(samples);
+    Patch_stencils result;
     for(size_type k = 0; k < samples; ++k)
     {
       const Place at = place(patch, FT(double(k % (g.u + 1)) / double(g.u)),
                              FT(double(k / (g.u + 1)) / double(g.v)), m_origins[patch]);
-      m_stencils[k].clear();
-      m_surface.basis(patch, at.u, at.v, 0, m_stencils[k]);
-      for(const auto& b : m_stencils[k])
-        if(m_local_numbers[b.control_point] == none)
-        {
-          m_local_numbers[b.control_point] = m_functions.size() - first;
-          m_functions.push_back(b.control_point);
-        }
+      m_surface.basis(patch, at.u, at.v, 0, stencils[k]);
+      number_functions(stencils[k], result.functions);
     }
-    m_first_function.push_back(m_functions.size());
-
-    const size_type n = m_functions.size() - first, first_value = m_values.size();
-    m_values.resize(first_value + n * samples, 0);
-    m_first_value.push_back(m_values.size());
+    const size_type n = result.functions.size();
+    result.values.resize(n * samples, 0);
     for(size_type k = 0; k < samples; ++k)
-      for(const auto& b : m_stencils[k])
-        m_values[first_value + k * n + m_local_numbers[b.control_point]] += b.value[0];
-    for(size_type i = first; i < m_functions.size(); ++i)
-      m_local_numbers[m_functions[i]] = none;
+      for(const auto& b : stencils[k])
+        result.values[k * n + b.control_point] += b.value[0];
+    return result;
+  }
+
+  // replaces control points by their numbers among the functions of the patch; neighboring samples
+  // have the same functions in the same order
+  static void number_functions(Stencil& stencil, std::vector<size_type>& functions)
+  {
+    for(size_type i = 0; i < stencil.size(); ++i)
+    {
+      size_type& point = stencil[i].control_point;
+      size_type number = i;
+      if(i >= functions.size() || functions[i] != point)
+        number = size_type(std::find(functions.begin(), functions.end(), point)
+                           - functions.begin());
+      if(number == functions.size())
+        functions.push_back(point);
+      point = number;
+    }
   }
 
   const Surface& m_surface;
   const Target& m_target;
   size_type m_number_of_patches;
   std::vector<Origin> m_origins;
+  std::vector<size_type> m_previous; // patches
+  std::vector<char> m_has_previous_functions;
   std::vector<Grid> m_grids;
   std::vector<size_type> m_first_function, m_functions;
   std::vector<size_type> m_first_value, m_first_fit_sample, m_first_error_sample; // of a patch
@@ -290,10 +369,6 @@ private:
   std::vector<size_type> m_patches; // of the error samples
   std::vector<Eigen::Vector3d> m_targets, m_fit_targets;
   std::vector<size_type> m_faces;
-  // working space of add_stencils(): the functions at the samples, and the numbers of the control
-  // points among the functions of the patch
-  std::vector<std::vector<typename Surface::Basis_function> > m_stencils;
-  std::vector<size_type> m_local_numbers;
 };
 
 } // namespace internal

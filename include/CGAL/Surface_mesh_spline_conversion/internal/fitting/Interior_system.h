@@ -11,7 +11,7 @@
 
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
-#include <CGAL/assertions.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/for_each_index.h>
 
 #include <Eigen/Core>
 #include <Eigen/IterativeLinearSolvers>
@@ -27,7 +27,8 @@ namespace Surface_mesh_spline_conversion {
 namespace internal {
 
 // The normal equations of the interior fit (paper, section 3.3.1) for all control points that are
-// not fixed. The matrix serves all fits of a refinement level; only the targets change.
+// not fixed, on the patches on which they act. The matrix serves all fits of a refinement level; only
+// the targets change.
 template <typename Samples>
 class Interior_system
 {
@@ -38,24 +39,24 @@ public:
 
   static constexpr int fixed = -1;
 
-  Interior_system(const Samples& samples, const std::vector<bool>& is_fixed)
-    : m_samples(samples), m_unknown(is_fixed.size(), fixed)
+  // `patches`: all on which a control point acts that is not fixed
+  Interior_system(const Samples& samples, const std::vector<bool>& is_fixed,
+                  const std::vector<size_type>& patches)
+    : m_samples(samples), m_patches(patches), m_unknown(is_fixed.size(), fixed)
   {
     for(size_type i = 0; i < is_fixed.size(); ++i)
       if(!is_fixed[i])
         m_unknown[i] = m_number_of_unknowns++;
     if(m_number_of_unknowns == 0)
       return;
-    make_pattern();
-    for(size_type p = 0; p < samples.number_of_patches(); ++p)
-      add_patch(p);
+    assemble();
     regularize();
-    m_solver.compute(m_matrix);
+    m_preconditioner.compute(m_matrix);
   }
 
   bool is_valid() const
   {
-    return m_number_of_unknowns == 0 || m_solver.info() == Eigen::Success;
+    return m_number_of_unknowns == 0 || m_preconditioner.info() == Eigen::Success;
   }
 
   // returns the row of a control point, or `fixed`
@@ -68,21 +69,16 @@ public:
 
   // moves the control points to the least-squares fit of the targets; the remaining error is the
   // given share of the present one
-  bool solve(Points& control_points, double relative_accuracy)
+  bool solve(Points& control_points, double relative_accuracy) const
   {
     if(m_number_of_unknowns == 0)
       return true;
     const Points residual = right_hand_side(control_points);
-    m_solver.setTolerance(relative_accuracy);
     Points correction(m_number_of_unknowns, 3);
-    for(int d = 0; d < 3; ++d)
+    for_each_index(3, [&](size_type d)
     {
-      const Eigen::VectorXd column = residual.col(d);
-      if(column.squaredNorm() == 0)
-        correction.col(d).setZero();
-      else
-        correction.col(d) = m_solver.solve(column);
-    }
+      correction.col(Eigen::Index(d)) = solution(residual.col(Eigen::Index(d)), relative_accuracy);
+    });
     if(!correction.allFinite())
       return false;
     for(size_type i = 0; i < m_unknown.size(); ++i)
@@ -92,134 +88,180 @@ public:
   }
 
 private:
+  typedef Eigen::VectorXd Vector;
+
   // Share of the diagonal that is added to it. It makes functions harmless that no sample sees,
   // and is far below what the fit can resolve: the correction is solved for, so that it does not
   // pull the control points anywhere.
   static constexpr double relative_regularization = 1e-9;
 
-  // the columns of the lower triangle: functions that share a patch
-  void make_pattern()
+  // a function among those of a patch
+  struct Use
   {
-    std::vector<std::vector<size_type> > patches(static_cast<size_type>(m_number_of_unknowns));
-    for(size_type p = 0; p < m_samples.number_of_patches(); ++p)
-      for(size_type i = 0; i < m_samples.number_of_functions(p); ++i)
-        if(m_unknown[m_samples.function(p, i)] != fixed)
-          patches[static_cast<size_type>(m_unknown[m_samples.function(p, i)])].push_back(p);
+    size_type patch; // its position in `m_patches`
+    size_type function;
+  };
 
-    m_matrix.resize(m_number_of_unknowns, m_number_of_unknowns);
-    std::vector<int> rows, last_seen(static_cast<size_type>(m_number_of_unknowns), -1);
-    std::vector<int> sizes, all_rows;
-    for(int column = 0; column < m_number_of_unknowns; ++column)
-    {
-      rows.assign(1, column);
-      last_seen[static_cast<size_type>(column)] = column;
-      for(size_type p : patches[static_cast<size_type>(column)])
-        for(size_type i = 0; i < m_samples.number_of_functions(p); ++i)
-        {
-          const int row = m_unknown[m_samples.function(p, i)];
-          if(row <= column || last_seen[static_cast<size_type>(row)] == column)
-            continue;
-          last_seen[static_cast<size_type>(row)] = column;
-          rows.push_back(row);
-        }
-      std::sort(rows.begin(), rows.end());
-      sizes.push_back(static_cast<int>(rows.size()));
-      all_rows.insert(all_rows.end(), rows.begin(), rows.end());
-    }
-    set_pattern(sizes, all_rows);
+  // the entries of a column of the lower triangle
+  struct Column
+  {
+    std::vector<int> rows;
+    std::vector<double> values;
+  };
+
+  int row(const Use& use) const
+  {
+    return m_unknown[m_samples.function(m_patches[use.patch], use.function)];
   }
 
-  void set_pattern(const std::vector<int>& sizes, const std::vector<int>& rows)
+  // Each entry is the sum over the patches of the products of two functions, in the order of the
+  // patches, whatever the number of threads.
+  void assemble()
   {
-    m_matrix.resizeNonZeros(static_cast<Eigen::Index>(rows.size()));
-    int position = 0;
-    for(size_type column = 0; column < sizes.size(); ++column)
-    {
-      m_matrix.outerIndexPtr()[column] = position;
-      position += sizes[column];
-    }
-    m_matrix.outerIndexPtr()[sizes.size()] = position;
-    std::copy(rows.begin(), rows.end(), m_matrix.innerIndexPtr());
-    std::fill(m_matrix.valuePtr(), m_matrix.valuePtr() + position, 0.);
+    std::vector<Eigen::MatrixXd> products(m_patches.size());
+    for_each_index(products.size(), [&](size_type i) { products[i] = patch_products(m_patches[i]); });
+    std::vector<std::vector<Use> > uses(static_cast<size_type>(m_number_of_unknowns));
+    for(size_type p = 0; p < m_patches.size(); ++p)
+      for(size_type i = 0; i < m_samples.number_of_functions(m_patches[p]); ++i)
+        if(row(Use{p, i}) != fixed)
+          uses[static_cast<size_type>(row(Use{p, i}))].push_back(Use{p, i});
+    std::vector<Column> columns(uses.size());
+    for_each_index(columns.size(), [&](size_type c)
+      { columns[c] = make_column(int(c), uses[c], products); });
+    set_matrix(columns);
   }
 
-  // adds the products of the functions of a patch; the dense product first, so that each entry of
-  // the sparse matrix is looked up once per patch
-  void add_patch(size_type patch)
+  Eigen::MatrixXd patch_products(size_type patch) const
   {
-    const size_type n = m_samples.number_of_functions(patch);
-    const Eigen::Index size = static_cast<Eigen::Index>(n);
-    const size_type samples = m_samples.grid(patch).number_of_fit_samples();
-    m_values.resize(static_cast<Eigen::Index>(samples), size);
-    for(size_type k = 0; k < samples; ++k)
+    const Eigen::Index n = static_cast<Eigen::Index>(m_samples.number_of_functions(patch));
+    const Eigen::Index samples
+      = static_cast<Eigen::Index>(m_samples.grid(patch).number_of_fit_samples());
+    Eigen::MatrixXd values(samples, n);
+    for(Eigen::Index k = 0; k < samples; ++k)
+      values.row(k) = std::sqrt(m_samples.weight(patch, size_type(k)))
+                      * Eigen::Map<const Eigen::RowVectorXd>(
+                          m_samples.values(patch, size_type(k)), n);
+    return values.transpose() * values;
+  }
+
+  Column make_column(int column, const std::vector<Use>& uses,
+                     const std::vector<Eigen::MatrixXd>& products) const
+  {
+    Column result;
+    for_each_entry(column, uses, [&](int r, const Use&, size_type) { result.rows.push_back(r); });
+    std::sort(result.rows.begin(), result.rows.end());
+    result.rows.erase(std::unique(result.rows.begin(), result.rows.end()), result.rows.end());
+    result.values.assign(result.rows.size(), 0);
+    for_each_entry(column, uses, [&](int r, const Use& use, size_type i)
     {
-      const double root = std::sqrt(m_samples.weight(patch, k));
-      for(size_type i = 0; i < n; ++i)
-        m_values(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(i))
-          = root * m_samples.values(patch, k)[i];
-    }
-    m_products.noalias() = m_values.transpose() * m_values;
-    for(size_type j = 0; j < n; ++j)
-      for(size_type i = 0; i < n; ++i)
+      const auto it = std::lower_bound(result.rows.begin(), result.rows.end(), r);
+      result.values[size_type(it - result.rows.begin())]
+        += products[use.patch](Eigen::Index(i), Eigen::Index(use.function));
+    });
+    return result;
+  }
+
+  // calls `visit(row, use, i)` for the functions `i` of the patches of a column
+  template <typename Visitor>
+  void for_each_entry(int column, const std::vector<Use>& uses, const Visitor& visit) const
+  {
+    for(const Use& use : uses)
+      for(size_type i = 0; i < m_samples.number_of_functions(m_patches[use.patch]); ++i)
       {
-        const int row = m_unknown[m_samples.function(patch, i)];
-        const int column = m_unknown[m_samples.function(patch, j)];
-        if(column != fixed && row >= column)
-          entry(row, column) += m_products(static_cast<Eigen::Index>(i),
-                                           static_cast<Eigen::Index>(j));
+        const int r = row(Use{use.patch, i});
+        if(r >= column)
+          visit(r, use, i);
       }
   }
 
-  double& entry(int row, int column)
+  void set_matrix(const std::vector<Column>& columns)
   {
-    const int* begin = m_matrix.innerIndexPtr() + m_matrix.outerIndexPtr()[column];
-    const int* end = m_matrix.innerIndexPtr() + m_matrix.outerIndexPtr()[column + 1];
-    const int* it = std::lower_bound(begin, end, row);
-    CGAL_assertion(it != end && *it == row);
-    return m_matrix.valuePtr()[it - m_matrix.innerIndexPtr()];
+    m_matrix.resize(m_number_of_unknowns, m_number_of_unknowns);
+    size_type entries = 0;
+    for(const Column& column : columns)
+      entries += column.rows.size();
+    m_matrix.resizeNonZeros(static_cast<Eigen::Index>(entries));
+    int position = 0;
+    for(size_type c = 0; c < columns.size(); ++c)
+    {
+      m_matrix.outerIndexPtr()[c] = position;
+      std::copy(columns[c].rows.begin(), columns[c].rows.end(), m_matrix.innerIndexPtr() + position);
+      std::copy(columns[c].values.begin(), columns[c].values.end(), m_matrix.valuePtr() + position);
+      position += int(columns[c].rows.size());
+    }
+    m_matrix.outerIndexPtr()[columns.size()] = position;
   }
+
+  // the diagonal begins each column
+  double& diagonal(int i) { return m_matrix.valuePtr()[m_matrix.outerIndexPtr()[i]]; }
 
   void regularize()
   {
     double largest = 0;
     for(int i = 0; i < m_number_of_unknowns; ++i)
-      largest = (std::max)(largest, entry(i, i));
+      largest = (std::max)(largest, diagonal(i));
     for(int i = 0; i < m_number_of_unknowns; ++i)
-      entry(i, i) += relative_regularization * (largest > 0 ? largest : 1);
+      diagonal(i) += relative_regularization * (largest > 0 ? largest : 1);
+  }
+
+  // preconditioned conjugate gradients from zero on
+  Vector solution(const Vector& right_hand_side, double relative_accuracy) const
+  {
+    const double limit = relative_accuracy * relative_accuracy * right_hand_side.squaredNorm();
+    Vector result = Vector::Zero(right_hand_side.size()), residual = right_hand_side;
+    Vector direction = m_preconditioner.solve(residual), image, scaled;
+    double product = residual.dot(direction);
+    for(Eigen::Index i = 0; i < 2 * residual.size() && residual.squaredNorm() > limit; ++i)
+    {
+      image = m_matrix.selfadjointView<Eigen::Lower>() * direction;
+      const double step = product / direction.dot(image);
+      result += step * direction;
+      residual -= step * image;
+      scaled = m_preconditioner.solve(residual);
+      const double next = residual.dot(scaled);
+      direction = scaled + (next / product) * direction;
+      product = next;
+    }
+    return result;
   }
 
   // returns the residual of the normal equations at the given control points
   Points right_hand_side(const Points& control_points) const
   {
+    std::vector<Points> parts(m_patches.size());
+    for_each_index(parts.size(), [&](size_type i)
+      { parts[i] = patch_residual(m_patches[i], control_points); });
     Points result = Points::Zero(m_number_of_unknowns, 3);
-    for(size_type p = 0; p < m_samples.number_of_patches(); ++p)
+    for(size_type p = 0; p < m_patches.size(); ++p)
+      for(size_type i = 0; i < m_samples.number_of_functions(m_patches[p]); ++i)
+        if(row(Use{p, i}) != fixed)
+          result.row(row(Use{p, i})) += parts[p].row(Eigen::Index(i));
+    return result;
+  }
+
+  Points patch_residual(size_type patch, const Points& control_points) const
+  {
+    const Eigen::Index n = static_cast<Eigen::Index>(m_samples.number_of_functions(patch));
+    Points points(n, 3), result = Points::Zero(n, 3);
+    for(Eigen::Index i = 0; i < n; ++i)
+      points.row(i) = control_points.row(Eigen::Index(m_samples.function(patch, size_type(i))));
+    for(size_type k = 0; k < m_samples.grid(patch).number_of_fit_samples(); ++k)
     {
-      const size_type n = m_samples.number_of_functions(p);
-      for(size_type k = 0; k < m_samples.grid(p).number_of_fit_samples(); ++k)
-      {
-        const double* values = m_samples.values(p, k);
-        Eigen::RowVector3d difference = m_samples.fit_target(p, k).transpose();
-        for(size_type i = 0; i < n; ++i)
-          difference -= values[i]
-                        * control_points.row(static_cast<Eigen::Index>(m_samples.function(p, i)));
-        difference *= m_samples.weight(p, k);
-        for(size_type i = 0; i < n; ++i)
-        {
-          const int row = m_unknown[m_samples.function(p, i)];
-          if(row != fixed)
-            result.row(row) += values[i] * difference;
-        }
-      }
+      const Eigen::Map<const Eigen::VectorXd> values(m_samples.values(patch, k), n);
+      const Eigen::RowVector3d difference
+        = m_samples.weight(patch, k)
+          * (m_samples.fit_target(patch, k).transpose() - values.transpose() * points);
+      result.noalias() += values * difference;
     }
     return result;
   }
 
   const Samples& m_samples;
+  std::vector<size_type> m_patches;
   std::vector<int> m_unknown; // per control point
   int m_number_of_unknowns = 0;
   Matrix m_matrix;
-  Eigen::MatrixXd m_values, m_products;
-  Eigen::ConjugateGradient<Matrix, Eigen::Lower, Eigen::IncompleteCholesky<double> > m_solver;
+  Eigen::IncompleteCholesky<double> m_preconditioner;
 };
 
 } // namespace internal

@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
+#include <CGAL/Surface_mesh_spline_conversion/internal/fitting/split_corners.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/patches/quad_sides.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/to_eigen.h>
 
@@ -49,17 +50,8 @@ public:
   // sets these control points, and marks them in `is_fixed`
   void operator()(std::vector<bool>& is_fixed)
   {
-    const auto& layout = m_target.layout();
-    for(size_type q = 0; q < layout.number_of_quads(); ++q)
-      for(int i = 0; i < 4; ++i)
-      {
-        if(!layout.is_border(q, i) || !layout.is_corner(layout.vertex(q, i + 1))
-           || layout.is_border(q, i + 1))
-          continue;
-        const auto other = layout.neighbor(q, i + 1);
-        if(layout.is_border(other.first, other.second + 1))
-          fix(q, i, other.first, (other.second + 1) & 3, is_fixed);
-      }
+    for_each_split_corner(m_target.layout(), [&](size_type first, int i, size_type second, int j)
+      { fix(first, i, second, j, is_fixed); });
   }
 
 private:

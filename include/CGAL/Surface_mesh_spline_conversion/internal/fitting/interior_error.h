@@ -13,12 +13,12 @@
 
 #include <CGAL/Surface_mesh_spline_conversion/internal/Point_index.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/Interior_samples.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/fitting/Surface_foot_point.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/for_each_index.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/to_eigen.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/patches/quad_sides.h>
 
 #include <Eigen/Core>
-#include <Eigen/LU>
 
 #include <algorithm>
 #include <cstddef>
@@ -35,90 +35,6 @@ struct Largest_error
 {
   double error = 0;
   Eigen::Vector3d place = Eigen::Vector3d(0, 0, 0); // on the surface
-};
-
-// Finds the point of the surface closest to a point of the target, by Gauss-Newton steps in the
-// local coordinates of the quads.
-template <typename Surface, typename Layout, typename Place>
-class Surface_foot_point
-{
-  typedef decltype(Place::u) FT;
-
-public:
-  Surface_foot_point(const Surface& surface, const Layout& layout, const Eigen::Vector3d& query,
-                     const Place& place)
-    : m_surface(surface), m_layout(layout), m_query(query), m_place(place), m_point(point(place))
-  {}
-
-  const Eigen::Vector3d& operator()()
-  {
-    constexpr int maximum_number_of_steps = 6;
-    if(!improve(m_place) && !improve(inside(m_place)))
-      return m_point;
-    for(int step = 1; step < maximum_number_of_steps && improve(m_place); ++step)
-      continue;
-    return m_point;
-  }
-
-  // returns where the point found lies
-  const Place& place() const { return m_place; }
-
-private:
-  Eigen::Vector3d point(const Place& p) const
-  {
-    return to_eigen(m_surface.position(p.patch, p.u, p.v));
-  }
-
-  // At an extraordinary point the parametrization has no regular derivative; a place a little
-  // inside of its patch has.
-  Place inside(Place p) const
-  {
-    constexpr double share = 1. / 16;
-    const auto o = m_surface.patch_origin(p.patch);
-    p.u += FT(share) * ((o.u0 + o.u1) / FT(2) - p.u);
-    p.v += FT(share) * ((o.v0 + o.v1) / FT(2) - p.v);
-    return p;
-  }
-
-  // a step from `start`; halved twice if it does not decrease the distance
-  bool improve(const Place& start)
-  {
-    constexpr double largest_step = 0.25; // in quads
-    const Eigen::Vector3d difference = m_query - point(start);
-    Eigen::Matrix<double, 3, 2> tangents;
-    tangents.col(0) = to_eigen(m_surface.derivative(start.patch, start.u, start.v, 1, 0));
-    tangents.col(1) = to_eigen(m_surface.derivative(start.patch, start.u, start.v, 0, 1));
-    const Eigen::Matrix2d gram = tangents.transpose() * tangents;
-    if(!(gram.determinant() > 0))
-      return false;
-    Eigen::Vector2d step = gram.inverse() * (tangents.transpose() * difference);
-    if(!step.allFinite())
-      return false;
-    step = step.cwiseMax(-largest_step).cwiseMin(largest_step);
-    return move(start, step) || move(start, step / 2) || move(start, step / 4);
-  }
-
-  bool move(const Place& start, const Eigen::Vector2d& step)
-  {
-    // a step that gains less than this share of the distance is the last one
-    constexpr double smallest_gain = 1e-3;
-    const Quad_point<FT> q = cross_sides(
-      m_layout, Quad_point<FT>{start.quad, start.u + FT(step[0]), start.v + FT(step[1])});
-    const Place next{m_surface.patch_at(q.quad, q.u, q.v), q.quad, q.u, q.v};
-    const Eigen::Vector3d p = point(next);
-    const double before = (m_point - m_query).norm(), after = (p - m_query).norm();
-    if(!(after < before))
-      return false;
-    m_point = p;
-    m_place = next;
-    return after < (1 - smallest_gain) * before;
-  }
-
-  const Surface& m_surface;
-  const Layout& m_layout;
-  const Eigen::Vector3d& m_query;
-  Place m_place;
-  Eigen::Vector3d m_point;
 };
 
 // Measures the distance between surface and target at the error samples of all patches, and from
@@ -138,58 +54,71 @@ class Interior_error
   typedef typename Surface::Patch_split Patch_split;
 
 public:
-  // `is_parametric`: only the distances between points with equal parameters count
+  // `is_parametric`: only the distances between points with equal parameters count.
+  // `previous`: the error on the previous samples, or a null pointer; it is kept where neither the
+  // surface nor its neighbourhood has changed
   Interior_error(const Surface& surface, const Target& target, const Samples& samples,
-                 bool is_parametric)
+                 bool is_parametric, const Interior_error* previous)
     : m_surface(surface), m_target(target), m_samples(samples), m_is_parametric(is_parametric)
   {
+    for(size_type i = 0; i < surface.number_of_control_points(); ++i)
+      m_control_points.push_back(to_eigen(surface.control_point(i)));
+    m_is_kept.assign(samples.number_of_patches(), false);
+    if(previous != nullptr)
+      find_kept_patches(*previous);
     const size_type n = samples.number_of_error_samples();
     m_points.resize(n);
-    m_bounds.resize(n);
-    for_each_index(n, [&](size_type i)
+    m_distances.resize(n);
+    m_is_bound.resize(n);
+    for_each_index(samples.number_of_patches(), [&](size_type p)
     {
-      const typename Samples::Place at = place(i);
-      m_points[i] = to_eigen(surface.position(at.patch, at.u, at.v));
-      m_bounds[i] = (m_points[i] - target_point(i)).norm();
+      if(m_is_kept[p])
+        copy_distances(p, *previous);
+      else
+        make_bounds(p);
     });
     if(!is_parametric)
-      measure_vertices();
+      measure_vertices(previous);
   }
 
   // returns the largest distance
-  Largest_error largest() const
+  Largest_error largest()
   {
-    std::vector<size_type> order(m_bounds.size());
+    constexpr size_type batch_size = 64; // measured at once
+    std::vector<size_type> order(m_distances.size());
     std::iota(order.begin(), order.end(), size_type(0));
-    std::make_heap(order.begin(), order.end(), [this](size_type a, size_type b)
-      { return comes_before(b, a); });
+    const auto is_smaller = [this](size_type a, size_type b) { return comes_before(b, a); };
+    std::make_heap(order.begin(), order.end(), is_smaller);
 
     Largest_error result = m_largest_of_vertices;
-    for(auto end = order.end(); end != order.begin(); --end)
+    while(!order.empty() && m_distances[order.front()] > result.error)
     {
-      if(!(m_bounds[order.front()] > result.error))
-        break;
-      const size_type i = order.front();
-      const double distance = this->distance(i);
-      if(distance > result.error)
-        result = Largest_error{distance, m_points[i]};
-      std::pop_heap(order.begin(), end, [this](size_type a, size_type b)
-        { return comes_before(b, a); });
+      std::vector<size_type> batch;
+      while(!order.empty() && batch.size() < batch_size)
+      {
+        std::pop_heap(order.begin(), order.end(), is_smaller);
+        batch.push_back(order.back());
+        order.pop_back();
+      }
+      for_each_index(batch.size(), [&](size_type k) { distance(batch[k]); });
+      for(size_type i : batch)
+        if(m_distances[i] > result.error)
+          result = Largest_error{m_distances[i], m_points[i]};
     }
     return result;
   }
 
   // returns the patches with a distance of at least `tolerance`, and the directions in which they
   // should be split
-  std::vector<Patch_split> violations(double tolerance) const
+  std::vector<Patch_split> violations(double tolerance)
   {
     std::vector<char> is_split(m_samples.number_of_patches());
     for_each_index(is_split.size(), [&](size_type p) { is_split[p] = is_violating(p, tolerance); });
-    std::vector<Patch_split> result;
+    std::vector<size_type> patches;
     for(size_type p = 0; p < is_split.size(); ++p)
       if(is_split[p])
-        result.push_back(split(p));
-    return result;
+        patches.push_back(p);
+    return splits(patches);
   }
 
   // returns the patches with the points of the surface closest to `points`, and the directions in
@@ -199,10 +128,7 @@ public:
     std::set<size_type> patches;
     for(const typename Samples::Place& p : foot_places(points))
       patches.insert(p.patch);
-    std::vector<Patch_split> result;
-    for(size_type p : patches)
-      result.push_back(split(p));
-    return result;
+    return splits(std::vector<size_type>(patches.begin(), patches.end()));
   }
 
   // returns all patches at the points of the surface closest to `points`, to be quadrisected
@@ -227,10 +153,11 @@ public:
 private:
   typedef Surface_foot_point<Surface, typename Target::Layout, typename Samples::Place> Foot_point;
 
-  // A square patch is halved in the direction in which the error varies more, another patch in its
-  // longer direction, unless the error varies so much more in the shorter one. Halving in turns
-  // lets the halves of neighbors match: where directions are mixed, extensions of T-junctions cross,
-  // and the surface needs up to a third more control points.
+  // The square patches of a quad of the layout are halved in the direction in which their errors vary
+  // more, other patches in their longer direction, unless the error varies so much more in the other
+  // one. One direction for a quad, and halving in turns, let the halves of neighbors match: where
+  // directions are mixed, extensions of T-junctions cross, and the surface needs up to a half more
+  // control points.
   static constexpr double directional_ratio = 5;
 
   static constexpr size_type none = static_cast<size_type>(-1);
@@ -247,18 +174,18 @@ private:
 
   bool comes_before(size_type a, size_type b) const
   {
-    return m_bounds[a] != m_bounds[b] ? m_bounds[a] > m_bounds[b] : a < b;
+    return m_distances[a] != m_distances[b] ? m_distances[a] > m_distances[b] : a < b;
   }
 
   // Only samples whose bound violates the tolerance are measured, up to the first one that violates
   // it.
-  bool is_violating(size_type patch, double tolerance) const
+  bool is_violating(size_type patch, double tolerance)
   {
     if(!m_is_parametric && m_vertex_errors[patch] >= tolerance)
       return true;
     const size_type end = m_samples.first_error_sample(patch + 1);
     for(size_type i = m_samples.first_error_sample(patch); i < end; ++i)
-      if(m_bounds[i] >= tolerance && distance(i) >= tolerance)
+      if(m_distances[i] >= tolerance && distance(i) >= tolerance)
         return true;
     return false;
   }
@@ -277,31 +204,69 @@ private:
     return result;
   }
 
-  // compares the sides of a patch, and the variation of the error (the integral of the squared
-  // derivative) in both directions
-  Patch_split split(size_type patch) const
+  // how much the error varies along `u` and `v`: the integrals of its squared derivatives
+  struct Variation
+  {
+    double u = 0, v = 0;
+  };
+
+  bool is_square(size_type patch) const
+  {
+    const auto origin = m_surface.patch_origin(patch);
+    return origin.u1 - origin.u0 == origin.v1 - origin.v0;
+  }
+
+  // decides in which directions `patches` are split
+  std::vector<Patch_split> splits(const std::vector<size_type>& patches) const
+  {
+    std::vector<Variation> variations(m_target.layout().number_of_quads());
+    for(size_type p : patches)
+      if(is_square(p))
+      {
+        const Variation variation = this->variation(p);
+        Variation& sum = variations[m_surface.patch_origin(p).quad];
+        sum.u += variation.u;
+        sum.v += variation.v;
+      }
+    std::vector<Patch_split> result;
+    for(size_type p : patches)
+    {
+      const Variation& of_quad = variations[m_surface.patch_origin(p).quad];
+      const bool is_along_u = is_split_along_u(p, of_quad.u >= of_quad.v);
+      result.push_back(Patch_split{p, is_along_u, !is_along_u});
+    }
+    return result;
+  }
+
+  // `is_quad_along_u`: whether the square patches of the quad are split along `u`
+  bool is_split_along_u(size_type patch, bool is_quad_along_u) const
+  {
+    const auto origin = m_surface.patch_origin(patch);
+    const FT width = origin.u1 - origin.u0, height = origin.v1 - origin.v0;
+    const Variation variation = this->variation(patch);
+    const double ratio = directional_ratio * directional_ratio;
+    if(variation.u > ratio * variation.v && FT(2) * width >= height)
+      return true;
+    if(variation.v > ratio * variation.u && FT(2) * height >= width)
+      return false;
+    return width == height ? is_quad_along_u : width > height;
+  }
+
+  Variation variation(size_type patch) const
   {
     const auto& grid = m_samples.grid(patch);
     const size_type row = grid.u + 1;
-    double along_u = 0, along_v = 0;
+    Variation result;
     for(size_type k = 0; k < grid.number_of_fit_samples(); ++k)
     {
       if(k % row != 0)
-        along_u += (difference(patch, k) - difference(patch, k - 1)).squaredNorm()
-                   * double(grid.u) / double(grid.v + 1);
+        result.u += (difference(patch, k) - difference(patch, k - 1)).squaredNorm()
+                    * double(grid.u) / double(grid.v + 1);
       if(k >= row)
-        along_v += (difference(patch, k) - difference(patch, k - row)).squaredNorm()
-                   * double(grid.v) / double(grid.u + 1);
+        result.v += (difference(patch, k) - difference(patch, k - row)).squaredNorm()
+                    * double(grid.v) / double(grid.u + 1);
     }
-    const auto origin = m_surface.patch_origin(patch);
-    const FT width = origin.u1 - origin.u0, height = origin.v1 - origin.v0;
-    const double ratio = directional_ratio * directional_ratio;
-    bool is_along_u = width == height ? along_u >= along_v : width > height;
-    if(along_u > ratio * along_v && FT(2) * width >= height)
-      is_along_u = true;
-    else if(along_v > ratio * along_u && FT(2) * height >= width)
-      is_along_u = false;
-    return Patch_split{patch, is_along_u, !is_along_u};
+    return result;
   }
 
   Eigen::Vector3d difference(size_type patch, size_type k) const
@@ -309,19 +274,29 @@ private:
     return m_points[m_samples.error_sample(patch, k)] - m_samples.fit_target(patch, k);
   }
 
-  double distance(size_type i) const
+  // measures the distance at a sample, unless it is known
+  double distance(size_type i)
   {
-    return m_is_parametric ? m_bounds[i]
-                           : (std::max)(distance_to_target(i), distance_to_surface(i));
+    if(m_is_bound[i])
+    {
+      m_distances[i] = (std::max)(distance_to_target(i), distance_to_surface(i));
+      m_is_bound[i] = false;
+    }
+    return m_distances[i];
   }
 
   double distance_to_target(size_type i) const
   {
     const typename Samples::Place at = place(i);
-    const Eigen::Vector3d& p = m_points[i];
+    const Point_3 p = to_point(m_points[i]), start = to_point(target_point(i));
     const Point_3 foot
-      = m_target.foot_point(Point_3(FT(p[0]), FT(p[1]), FT(p[2])), at.quad, at.u, at.v);
-    return (std::min)(m_bounds[i], (to_eigen(foot) - p).norm());
+      = m_target.foot_point(p, at.quad, at.u, at.v, start, m_samples.mesh_face(i));
+    return (std::min)(m_distances[i], (to_eigen(foot) - m_points[i]).norm());
+  }
+
+  static Point_3 to_point(const Eigen::Vector3d& p)
+  {
+    return Point_3(FT(p[0]), FT(p[1]), FT(p[2]));
   }
 
   double distance_to_surface(size_type i) const
@@ -335,25 +310,93 @@ private:
     return (Foot_point(m_surface, m_target.layout(), query, place(i))() - query).norm();
   }
 
-  void measure_vertices()
+  void make_bounds(size_type patch)
+  {
+    for(size_type i = m_samples.first_error_sample(patch);
+        i < m_samples.first_error_sample(patch + 1); ++i)
+    {
+      const typename Samples::Place at = place(i);
+      m_points[i] = to_eigen(m_surface.position(at.patch, at.u, at.v));
+      m_distances[i] = (m_points[i] - target_point(i)).norm();
+      m_is_bound[i] = !m_is_parametric;
+    }
+  }
+
+  // A patch is kept if its points are where they were, and those of its neighbours, on which closest
+  // points may lie.
+  void find_kept_patches(const Interior_error& previous)
+  {
+    std::vector<bool> is_near_change(m_control_points.size(), false);
+    for(size_type p = 0; p < m_is_kept.size(); ++p)
+      if(!has_previous_points(p, previous))
+        for(size_type i = 0; i < m_samples.number_of_functions(p); ++i)
+          is_near_change[m_samples.function(p, i)] = true;
+    for(size_type p = 0; p < m_is_kept.size(); ++p)
+    {
+      m_is_kept[p] = true;
+      for(size_type i = 0; i < m_samples.number_of_functions(p); ++i)
+        if(is_near_change[m_samples.function(p, i)])
+          m_is_kept[p] = false;
+    }
+  }
+
+  bool has_previous_points(size_type patch, const Interior_error& previous) const
+  {
+    if(!m_samples.has_previous_functions(patch))
+      return false;
+    for(size_type i = 0; i < m_samples.number_of_functions(patch); ++i)
+    {
+      const size_type c = m_samples.function(patch, i);
+      if(m_control_points[c] != previous.m_control_points[c])
+        return false;
+    }
+    return true;
+  }
+
+  // returns the number of a sample of a kept patch among the previous ones
+  size_type previous_sample(size_type i, const Interior_error& previous) const
+  {
+    const size_type patch = place(i).patch;
+    return previous.m_samples.first_error_sample(m_samples.previous_patch(patch)) + i
+           - m_samples.first_error_sample(patch);
+  }
+
+  void copy_distances(size_type patch, const Interior_error& previous)
+  {
+    for(size_type i = m_samples.first_error_sample(patch);
+        i < m_samples.first_error_sample(patch + 1); ++i)
+    {
+      const size_type old = previous_sample(i, previous);
+      m_points[i] = previous.m_points[old];
+      m_distances[i] = previous.m_distances[old];
+      m_is_bound[i] = previous.m_is_bound[old];
+    }
+  }
+
+  void measure_vertices(const Interior_error* previous)
   {
     m_vertex_errors.assign(m_samples.number_of_patches(), 0);
-    const std::vector<size_type> nearest = nearest_samples();
-    std::vector<double> errors(nearest.size(), 0);
-    for_each_index(nearest.size(), [&](size_type v)
+    m_nearest = nearest_samples();
+    m_errors_of_vertices.assign(m_nearest.size(), 0);
+    for_each_index(m_nearest.size(), [&](size_type v)
     {
-      const size_type i = nearest[v];
-      if(i != none && !m_target.is_boundary_quad(place(i).quad))
-        errors[v] = distance_to_surface(to_eigen(m_target.mesh_vertex(v)), i);
+      const size_type i = m_nearest[v];
+      if(i == none || m_target.is_boundary_quad(place(i).quad))
+        return;
+      const bool is_known = m_is_kept[place(i).patch]
+                            && previous->m_nearest[v] == previous_sample(i, *previous);
+      m_errors_of_vertices[v] = is_known ? previous->m_errors_of_vertices[v]
+                                         : distance_to_surface(to_eigen(m_target.mesh_vertex(v)), i);
     });
-    for(size_type v = 0; v < nearest.size(); ++v)
+    for(size_type v = 0; v < m_nearest.size(); ++v)
     {
-      if(nearest[v] == none)
+      if(m_nearest[v] == none)
         continue;
-      double& largest_of_patch = m_vertex_errors[place(nearest[v]).patch];
-      largest_of_patch = (std::max)(largest_of_patch, errors[v]);
-      if(errors[v] > m_largest_of_vertices.error)
-        m_largest_of_vertices = Largest_error{errors[v], to_eigen(m_target.mesh_vertex(v))};
+      const double error = m_errors_of_vertices[v];
+      double& largest_of_patch = m_vertex_errors[place(m_nearest[v]).patch];
+      largest_of_patch = (std::max)(largest_of_patch, error);
+      if(error > m_largest_of_vertices.error)
+        m_largest_of_vertices = Largest_error{error, to_eigen(m_target.mesh_vertex(v))};
     }
   }
 
@@ -384,8 +427,13 @@ private:
   const Samples& m_samples;
   bool m_is_parametric;
   std::vector<Eigen::Vector3d> m_points; // of the surface
-  std::vector<double> m_bounds;
-  std::vector<double> m_vertex_errors; // per patch
+  std::vector<Eigen::Vector3d> m_control_points;
+  std::vector<double> m_distances; // at the samples
+  std::vector<char> m_is_bound;    // are these upper bounds, or measured?
+  std::vector<char> m_is_kept;     // patches
+  std::vector<size_type> m_nearest; // samples to the vertices of the mesh
+  std::vector<double> m_errors_of_vertices;
+  std::vector<double> m_vertex_errors; // the largest ones of the patches
   Largest_error m_largest_of_vertices;
 };
 

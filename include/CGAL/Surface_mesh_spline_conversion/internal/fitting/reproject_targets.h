@@ -37,6 +37,8 @@ class Target_reprojection
   typedef std::size_t size_type;
   typedef Interior_samples<Surface, Target> Samples;
 
+  typedef typename Target::FT FT;
+  typedef typename Target::Point_3 Point_3;
   typedef std::vector<Eigen::Vector3d> Points;
 
 public:
@@ -44,9 +46,9 @@ public:
     : m_surface(surface), m_target(target), m_samples(samples)
   {}
 
-  void operator()()
+  void operator()(const std::vector<size_type>& patches)
   {
-    for_each_index(m_samples.number_of_patches(), [this](size_type p) { reproject(p); });
+    for_each_index(patches.size(), [&](size_type i) { reproject(patches[i]); });
   }
 
 private:
@@ -60,11 +62,17 @@ private:
       const typename Samples::Place at = m_samples.error_place(i);
       original.push_back(m_samples.target(i));
       feet.push_back(to_eigen(m_target.foot_point(
-        m_surface.position(at.patch, at.u, at.v), at.quad, at.u, at.v)));
+        m_surface.position(at.patch, at.u, at.v), at.quad, at.u, at.v, to_point(original.back()),
+        m_samples.mesh_face(i))));
     }
     unfold(grid.u + 1, grid.v + 1, original, feet);
     for(size_type k = 0; k < grid.number_of_fit_samples(); ++k)
       m_samples.set_fit_target(patch, k, feet[k]);
+  }
+
+  static Point_3 to_point(const Eigen::Vector3d& p)
+  {
+    return Point_3(FT(p[0]), FT(p[1]), FT(p[2]));
   }
 
   // taking back a foot may fold a neighbouring cell, hence the repetition; each round that goes

@@ -11,8 +11,9 @@
 
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
-#include <CGAL/Surface_mesh_spline_conversion/internal/to_eigen.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/fitting/split_corners.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/patches/quad_sides.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/to_eigen.h>
 
 #include <CGAL/number_utils.h>
 
@@ -65,23 +66,31 @@ class Crease_smoother
   typedef std::map<size_type, double> Functional;
 
 public:
-  Crease_smoother(Surface& surface, const Target& target, const System& system)
-    : m_surface(surface), m_target(target), m_system(system)
+  Crease_smoother(Surface& surface, const Target& target)
+    : m_surface(surface), m_target(target)
   {}
 
-  void operator()()
+  // moves control points that are unknowns of the system
+  void operator()(const System& system)
   {
-    const auto& layout = m_target.layout();
-    for(size_type q = 0; q < layout.number_of_quads(); ++q)
-      for(int i = 0; i < 4; ++i)
-      {
-        if(!layout.is_border(q, i) || !layout.is_corner(layout.vertex(q, i + 1))
-           || layout.is_border(q, i + 1))
-          continue;
-        const auto other = layout.neighbor(q, i + 1);
-        if(layout.is_border(other.first, other.second + 1))
-          smooth(q, i, other.first, (other.second + 1) & 3);
-      }
+    m_system = &system;
+    for_each_split_corner(m_target.layout(), [this](size_type first, int i, size_type second, int j)
+      { smooth(first, i, second, j); });
+  }
+
+  // returns the patches beside each of the lines
+  std::vector<std::vector<size_type> > patches_of_lines() const
+  {
+    std::vector<std::vector<size_type> > result;
+    for_each_split_corner(m_target.layout(), [&](size_type first, int i, size_type second, int j)
+    {
+      std::vector<size_type> patches;
+      for(const Sample& sample : make_samples(first, i, second, j))
+        for(const Place& p : sample.places)
+          patches.push_back(m_surface.patch_at(p.quad, p.u, p.v));
+      result.push_back(patches);
+    });
+    return result;
   }
 
 private:
@@ -263,7 +272,7 @@ private:
     std::vector<size_type> result;
     for(const Functional& functional : functionals)
       for(const auto& term : functional)
-        if(m_system.unknown(term.first) != System::fixed)
+        if(m_system->unknown(term.first) != System::fixed)
           result.push_back(term.first);
     std::sort(result.begin(), result.end());
     result.erase(std::unique(result.begin(), result.end()), result.end());
@@ -290,8 +299,8 @@ private:
     for(Eigen::Index a = 0; a < n; ++a)
       for(Eigen::Index b = 0; b < n; ++b)
       {
-        const double c = m_system.coefficient(m_system.unknown(unknowns[size_type(a)]),
-                                              m_system.unknown(unknowns[size_type(b)]));
+        const double c = m_system->coefficient(m_system->unknown(unknowns[size_type(a)]),
+                                              m_system->unknown(unknowns[size_type(b)]));
         matrix.block<3, 3>(3 * a, 3 * b) = c * Eigen::Matrix3d::Identity();
         largest = (std::max)(largest, c);
       }
@@ -352,7 +361,7 @@ private:
 
   Surface& m_surface;
   const Target& m_target;
-  const System& m_system;
+  const System* m_system = nullptr;
   bool m_is_jump_free = true; // do inner control points act on the jump at the present corner?
 };
 

@@ -12,6 +12,7 @@
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
 #include <CGAL/Surface_mesh_spline_conversion/internal/surface/Control_point_transfer.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/surface/Rectangle_splitter.h>
 #include <CGAL/T_NURCC_surface_3.h>
 
 #include <algorithm>
@@ -121,6 +122,20 @@ void T_NURCC_surface_3<K>::refine(const std::vector<Patch_split>& splits)
       if(split.v)
         closure.mark(f, 1);
     }
+  });
+}
+
+template <typename K>
+void T_NURCC_surface_3<K>::refine_to(const std::vector<Patch_origin>& rectangles)
+{
+  change_mesh([&rectangles](T_mesh& mesh, std::vector<std::int64_t>& units)
+  {
+    Surface_mesh_spline_conversion::internal::Rectangle_splitter<Point_3> splitter(mesh);
+    for(const Patch_origin& r : rectangles)
+      splitter.add(r.quad, {{{CGAL::to_double(r.u0), CGAL::to_double(r.v0)}},
+                            {{CGAL::to_double(r.u1), CGAL::to_double(r.v1)}}});
+    splitter.run();
+    Closure(mesh, units).run();
   });
 }
 

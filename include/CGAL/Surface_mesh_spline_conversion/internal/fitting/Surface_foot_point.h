@@ -1,0 +1,112 @@
+// Copyright (c) 2026 the authors of the package Surface_mesh_spline_conversion.
+// All rights reserved.
+//
+// This file is part of the package Surface_mesh_spline_conversion, which is being
+// prepared for submission to CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+#ifndef CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_FITTING_SURFACE_FOOT_POINT_H
+#define CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_FITTING_SURFACE_FOOT_POINT_H
+
+#include <CGAL/license/Surface_mesh_spline_conversion.h>
+
+#include <CGAL/Surface_mesh_spline_conversion/internal/patches/quad_sides.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/to_eigen.h>
+
+#include <Eigen/Core>
+#include <Eigen/LU>
+
+namespace CGAL {
+namespace Surface_mesh_spline_conversion {
+namespace internal {
+
+// Finds the point of the surface closest to a point of the target, by Gauss-Newton steps in the
+// local coordinates of the quads.
+template <typename Surface, typename Layout, typename Place>
+class Surface_foot_point
+{
+  typedef decltype(Place::u) FT;
+
+public:
+  Surface_foot_point(const Surface& surface, const Layout& layout, const Eigen::Vector3d& query,
+                     const Place& place)
+    : m_surface(surface), m_layout(layout), m_query(query), m_place(place), m_point(point(place))
+  {}
+
+  const Eigen::Vector3d& operator()()
+  {
+    constexpr int maximum_number_of_steps = 6;
+    if(!improve(m_place) && !improve(inside(m_place)))
+      return m_point;
+    for(int step = 1; step < maximum_number_of_steps && improve(m_place); ++step)
+      continue;
+    return m_point;
+  }
+
+  // returns where the point found lies
+  const Place& place() const { return m_place; }
+
+private:
+  Eigen::Vector3d point(const Place& p) const
+  {
+    return to_eigen(m_surface.position(p.patch, p.u, p.v));
+  }
+
+  // At an extraordinary point the parametrization has no regular derivative; a place a little
+  // inside of its patch has.
+  Place inside(Place p) const
+  {
+    constexpr double share = 1. / 16;
+    const auto o = m_surface.patch_origin(p.patch);
+    p.u += FT(share) * ((o.u0 + o.u1) / FT(2) - p.u);
+    p.v += FT(share) * ((o.v0 + o.v1) / FT(2) - p.v);
+    return p;
+  }
+
+  // a step from `start`; halved twice if it does not decrease the distance
+  bool improve(const Place& start)
+  {
+    constexpr double largest_step = 0.25; // in quads
+    const Eigen::Vector3d difference = m_query - point(start);
+    Eigen::Matrix<double, 3, 2> tangents;
+    tangents.col(0) = to_eigen(m_surface.derivative(start.patch, start.u, start.v, 1, 0));
+    tangents.col(1) = to_eigen(m_surface.derivative(start.patch, start.u, start.v, 0, 1));
+    const Eigen::Matrix2d gram = tangents.transpose() * tangents;
+    if(!(gram.determinant() > 0))
+      return false;
+    Eigen::Vector2d step = gram.inverse() * (tangents.transpose() * difference);
+    if(!step.allFinite())
+      return false;
+    step = step.cwiseMax(-largest_step).cwiseMin(largest_step);
+    return move(start, step) || move(start, step / 2) || move(start, step / 4);
+  }
+
+  bool move(const Place& start, const Eigen::Vector2d& step)
+  {
+    // a step that gains less than this share of the distance is the last one
+    constexpr double smallest_gain = 1e-3;
+    const Quad_point<FT> q = cross_sides(
+      m_layout, Quad_point<FT>{start.quad, start.u + FT(step[0]), start.v + FT(step[1])});
+    const Place next{m_surface.patch_at(q.quad, q.u, q.v), q.quad, q.u, q.v};
+    const Eigen::Vector3d p = point(next);
+    const double before = (m_point - m_query).norm(), after = (p - m_query).norm();
+    if(!(after < before))
+      return false;
+    m_point = p;
+    m_place = next;
+    return after < (1 - smallest_gain) * before;
+  }
+
+  const Surface& m_surface;
+  const Layout& m_layout;
+  const Eigen::Vector3d& m_query;
+  Place m_place;
+  Eigen::Vector3d m_point;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_spline_conversion
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_FITTING_SURFACE_FOOT_POINT_H
