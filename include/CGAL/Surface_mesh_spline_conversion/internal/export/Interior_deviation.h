@@ -27,8 +27,6 @@
 #include <cstddef>
 #include <limits>
 #include <map>
-#include <numeric>
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -106,7 +104,7 @@ private:
   static constexpr int MINIMUM_NUMBER_OF_INTERVALS = 4;
   static constexpr int MAXIMUM_NUMBER_OF_INTERVALS = 64;
   static constexpr unsigned int NUMBER_OF_STARTS = 6;
-  static constexpr std::size_t MINIMUM_NUMBER_OF_CLIMBS = 24;
+  static constexpr std::size_t NUMBER_OF_LARGEST = 24;
 
   // Between samples the deviation may be that much larger: a crease of the mesh passes between them.
   static constexpr double CLOSE_TO_BOUND = 0.75;
@@ -213,8 +211,8 @@ private:
     return is_inside ? distance : (std::max)(0., distance - gap);
   }
 
-  // Walks uphill from the largest samples, one of a piece, so that neither the maximum nor the
-  // verdict on a piece hangs on the grid.
+  // Walks uphill from the largest samples, so that neither the maximum nor the verdict on a piece
+  // hangs on the grid. A piece may have several peaks.
   void climb()
   {
     const std::vector<std::size_t> starts = starts_of_climbs();
@@ -231,21 +229,25 @@ private:
     }
   }
 
-  // the largest samples of the pieces that come close to the bound, and of a few more
+  // the samples that come close to the bound, and the largest ones of a few pieces
   std::vector<std::size_t> starts_of_climbs() const
   {
-    std::vector<std::size_t> result;
+    std::vector<std::size_t> largest, result; // the largest of each piece
     for(std::size_t i = 0; i < m_samples.size(); ++i)
-      if(i == 0 || m_samples[i].piece != m_samples[i - 1].piece)
+    {
+      if(m_deviations[i] > CLOSE_TO_BOUND * m_statistics.bound)
         result.push_back(i);
-      else if(m_deviations[i] > m_deviations[result.back()])
-        result.back() = i;
-    std::sort(result.begin(), result.end(), [this](std::size_t a, std::size_t b)
-      { return std::make_pair(-m_deviations[a], a) < std::make_pair(-m_deviations[b], b); });
-    std::size_t n = (std::min)(MINIMUM_NUMBER_OF_CLIMBS, result.size());
-    while(n < result.size() && m_deviations[result[n]] > CLOSE_TO_BOUND * m_statistics.bound)
-      ++n;
-    result.resize(n);
+      if(i == 0 || m_samples[i].piece != m_samples[i - 1].piece)
+        largest.push_back(i);
+      else if(m_deviations[i] > m_deviations[largest.back()])
+        largest.back() = i;
+    }
+    const std::size_t n = (std::min)(NUMBER_OF_LARGEST, largest.size());
+    std::partial_sort(largest.begin(), largest.begin() + std::ptrdiff_t(n), largest.end(),
+                      [this](std::size_t a, std::size_t b)
+                      { return std::make_pair(-m_deviations[a], a)
+                             < std::make_pair(-m_deviations[b], b); });
+    result.insert(result.end(), largest.begin(), largest.begin() + std::ptrdiff_t(n));
     return result;
   }
 
