@@ -198,11 +198,11 @@ private:
     {
       const typename Shell::Edge& edge = m_shell.edge(e);
       const std::vector<Point_3>& points = edge.curve.control_points;
+      m_first_point.push_back(m_last + 1);
       std::vector<Id> ids(1, m_vertex_point[edge.source]);
       for(std::size_t i = 1; i + 1 < points.size(); ++i)
         ids.push_back(write_point(points[i]));
       ids.push_back(m_vertex_point[edge.target]);
-      m_curve_points.push_back(ids);
       const Id curve = entity("B_SPLINE_CURVE_WITH_KNOTS('',");
       m_out << edge.curve.knots.degree() << ',';
       write_references(ids.begin(), ids.end());
@@ -279,7 +279,15 @@ private:
                    { return p == surface.control_points[i]; }))
       return;
     for(std::size_t i = 0; i < indices.size(); ++i)
-      ids[indices[i]] = m_curve_points[use.edge][i];
+      ids[indices[i]] = curve_point(use.edge, i);
+  }
+
+  Id curve_point(std::size_t e, std::size_t i) const
+  {
+    const typename Shell::Edge& edge = m_shell.edge(e);
+    return (i == 0) ? m_vertex_point[edge.source]
+         : (i + 1 == edge.curve.control_points.size()) ? m_vertex_point[edge.target]
+         : m_first_point[e] + (i - 1);
   }
 
   Id write_surface(const typename Shell::Face& face)
@@ -424,7 +432,7 @@ private:
   std::vector<Id> m_vertex_point;
   std::vector<Id> m_vertex;
   std::vector<Id> m_edge;
-  std::vector<std::vector<Id> > m_curve_points; // of each edge
+  std::vector<Id> m_first_point; // of each edge, behind its source
   std::vector<Id> m_face;
 };
 
