@@ -18,6 +18,7 @@
 #include <CGAL/Surface_mesh_spline_conversion/internal/for_each_index.h>
 
 #include <CGAL/boost/graph/iterator.h>
+#include <CGAL/number_type_config.h>
 
 #include <Eigen/Core>
 
@@ -105,6 +106,7 @@ private:
   static constexpr int MAXIMUM_NUMBER_OF_INTERVALS = 64;
   static constexpr unsigned int NUMBER_OF_STARTS = 6;
   static constexpr std::size_t NUMBER_OF_LARGEST = 24;
+  static constexpr std::size_t NUMBER_OF_DIRECTIONS = 32;
 
   // Between samples the deviation may be that much larger: a crease of the mesh passes between them.
   static constexpr double CLOSE_TO_BOUND = 0.75;
@@ -251,12 +253,12 @@ private:
     return result;
   }
 
-  // tries the eight directions of the compass with smaller and smaller steps
+  // Tries directions all around with smaller and smaller steps. There have to be many: beside a crease
+  // of the mesh the deviation has a ridge, and a step that leaves it goes down.
   Summit climb_from(std::size_t start) const
   {
-    constexpr double FIRST_STEP = 1. / 16, LAST_STEP = 1e-5; // of the parameters
-    static const std::array<std::array<int, 2>, 8> directions
-      = {{{{1, 0}}, {{0, 1}}, {{-1, 0}}, {{0, -1}}, {{1, 1}}, {{-1, 1}}, {{-1, -1}}, {{1, -1}}}};
+    constexpr double FIRST_STEP = 1. / 16, LAST_STEP = 1e-4; // of the parameters
+    static const std::array<Eigen::Vector2d, NUMBER_OF_DIRECTIONS> directions = compass();
     Sample sample = m_samples[start];
     const Bezier_piece& piece = m_pieces[sample.piece];
     Summit summit{sample.piece, m_deviations[start], m_points[start]};
@@ -264,7 +266,7 @@ private:
     for(double step = FIRST_STEP; step > LAST_STEP; )
     {
       bool has_improved = false;
-      for(const auto& direction : directions)
+      for(const Eigen::Vector2d& direction : directions)
       {
         const double u = clamped(sample.u + step * direction[0]);
         const double v = clamped(sample.v + step * direction[1]);
@@ -281,6 +283,17 @@ private:
         step /= 2;
     }
     return summit;
+  }
+
+  static std::array<Eigen::Vector2d, NUMBER_OF_DIRECTIONS> compass()
+  {
+    std::array<Eigen::Vector2d, NUMBER_OF_DIRECTIONS> result;
+    for(std::size_t i = 0; i < NUMBER_OF_DIRECTIONS; ++i)
+    {
+      const double angle = 2 * CGAL_PI * double(i) / double(NUMBER_OF_DIRECTIONS);
+      result[i] = Eigen::Vector2d(std::cos(angle), std::sin(angle));
+    }
+    return result;
   }
 
   static double clamped(double t) { return (std::min)(1., (std::max)(0., t)); }
