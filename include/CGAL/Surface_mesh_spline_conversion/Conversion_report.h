@@ -56,6 +56,8 @@ struct Conversion_report
     size_type loops = 0;            ///< number of boundary loops
     size_type corners = 0;          ///< number of corners of the boundary
     double diameter = not_measured; ///< of the smallest sphere that encloses the vertices (D)
+    /// largest distance between a facet and an arc that bends like the mesh at an edge of the facet
+    double facet_sagitta = not_measured;
   };
 
   /// describes the distance between the boundary of the surface and the curves.

@@ -32,6 +32,7 @@ inline void write_JSON_input(JSON_writer& json, const Conversion_report& report)
   json.member("loops", report.input.loops);
   json.member("corners", report.input.corners);
   json.member("diameter", report.input.diameter);
+  json.member("facet_sagitta", report.input.facet_sagitta);
   json.close('}');
   json.member("xi", report.boundary_tolerance);
   json.member("delta", report.interior_tolerance);

@@ -23,6 +23,7 @@
 #include <CGAL/Surface_mesh_spline_conversion/fit_boundary.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/conversion/Mesh_component.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/conversion/conversion_options.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/conversion/facet_sagitta.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/conversion/merge_reports.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/Interior_fitter.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/fit_parameters.h>
@@ -154,6 +155,7 @@ private:
       part.message = network.message();
       return network.error();
     }
+    part.input.facet_sagitta = facet_sagitta(component.mesh, get(vertex_point, component.mesh));
     Quad_layout<Kernel> layout;
     const Error_code code
       = compute_quad_layout(component.mesh, network, layout, part,
@@ -190,6 +192,7 @@ private:
     if(!is_surface(interior))
       return interior;
     count(surface, part);
+    warn_about_facets(m_options.interior_tolerance, part);
     m_surfaces.push_back(std::move(surface));
     return interior == Error_code::OK ? result : interior;
   }

@@ -140,6 +140,7 @@ inline void merge_reports(const Conversion_report& part, Conversion_report& whol
   merge_map(part.map, whole.map, double(part.counts.layout_quads),
             double(whole.counts.layout_quads));
   merge_counts(part.counts, whole.counts);
+  whole.input.facet_sagitta = larger(whole.input.facet_sagitta, part.input.facet_sagitta);
   whole.smoothness.max_normal_angle_degrees
     = larger(whole.smoothness.max_normal_angle_degrees, part.smoothness.max_normal_angle_degrees);
   whole.smoothness.max_tangency_angle_degrees = larger(
