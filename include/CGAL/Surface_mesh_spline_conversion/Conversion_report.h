@@ -80,6 +80,7 @@ struct Conversion_report
     double max_deviation = not_measured;         ///< in the chosen error metric
     double mean_deviation = not_measured;        ///< mean over the samples
     double fraction_within_delta = not_measured; ///< share of the samples, in `[0,1]`
+    double certified_bound = not_measured;       ///< proved bound from surface to mesh, if asked for
     /// place of the largest deviation
     std::array<double, 3> worst = {{not_measured, not_measured, not_measured}};
   };

@@ -58,6 +58,7 @@ inline void write_JSON_deviations(JSON_writer& json, const Conversion_report& re
   json.member("max_deviation", report.interior.max_deviation);
   json.member("mean_deviation", report.interior.mean_deviation);
   json.member("fraction_within_delta", report.interior.fraction_within_delta);
+  json.member("certified_bound", report.interior.certified_bound);
   json.member("worst", report.interior.worst);
   json.close('}');
 }
