@@ -19,7 +19,7 @@ set(rules
   patches "^Transfinite_patch_network_3\\.h$|^internal/patches/"
   surface "^T_NURCC_surface_3\\.h$|^internal/surface/"
   fitting "^fit_(boundary|interior)\\.h$|^internal/fitting/"
-  export  "^(NURBS_shell_3|Knot_vector|extract_NURBS_faces|find_boundary_vertices|measure_deviation)\\.h$"
+  export  "^(NURBS_shell_3|Knot_vector|extract_NURBS_faces|find_boundary_vertices|measure_deviation|bound_interior_deviation)\\.h$"
   export  "^internal/(caps|export)/"
   # boundary representations of Open CASCADE
   curves  "^(associate_boundary_with_BRep|Free_edge_normals_3)\\.h$|^internal/open_cascade/(Edge_on_surface|Curve_set|Free_edges)\\.h$"

@@ -46,7 +46,7 @@ if(are_different)
   message(SEND_ERROR "the surface depends on the number of threads")
 endif()
 file(READ ${OUTPUT}/a.json report)
-foreach(keys "input;loops" "xi" "delta" "quad_size" "boundary;max_deviation"
+foreach(keys "input;loops" "input;facet_sagitta" "xi" "delta" "quad_size" "boundary;max_deviation"
         "boundary;certified_bound" "boundary;worst;t" "interior;max_deviation" "interior;worst;2"
         "counts;patches" "counts;nurbs_faces" "smoothness;max_normal_angle_degrees"
         "map;flipped_triangles" "iterations;0;patches" "stages;0;seconds" "peak_memory_bytes")
@@ -84,6 +84,18 @@ else()
   expect(2 ${case} --tangent)
   expect(2 ${case}/mesh.off --residual ${case}/residual.step)
 endif()
+
+expect(0 ${case} ${tolerances} --quiet --coarsen --certify --report ${OUTPUT}/e.json)
+file(READ ${OUTPUT}/e.json report)
+string(JSON certified_bound GET ${report} interior certified_bound)
+string(JSON delta GET ${report} delta)
+if(NOT certified_bound LESS_EQUAL delta)
+  message(SEND_ERROR "the distance from the mesh is not proved: ${certified_bound} > ${delta}")
+endif()
+
+# a winding ramp, whose corner has an interior angle of 450 degrees
+expect(0 ${DATA}/meshes/ramp.off ${tolerances} --quiet --report ${OUTPUT}/f.json)
+expect_status(f.json "ok")
 
 expect(0 --help)
 expect(0 ${case}/case.json ${tolerances} --quiet --no-merge)

@@ -51,13 +51,14 @@ PACKAGE_PARAMETER(9, use_proxy_mesh)
 PACKAGE_PARAMETER(10, cross_field_map)
 PACKAGE_PARAMETER(11, boundary_tangency)
 PACKAGE_PARAMETER(12, do_coarsen_patches)
-PARAMETER(13, vertex_point, vertex_point_map)
-PARAMETER(14, geom_traits, geom_traits)
-PARAMETER(15, vertex_is_constrained, vertex_is_constrained_map)
-PARAMETER(16, visitor, visitor)
-PARAMETER(17, verbose, verbose)
-PARAMETER(18, number_of_iterations, number_of_iterations)
-const int number_of_parameters = 19;
+PACKAGE_PARAMETER(13, do_certify_interior)
+PARAMETER(14, vertex_point, vertex_point_map)
+PARAMETER(15, geom_traits, geom_traits)
+PARAMETER(16, vertex_is_constrained, vertex_is_constrained_map)
+PARAMETER(17, visitor, visitor)
+PARAMETER(18, verbose, verbose)
+PARAMETER(19, number_of_iterations, number_of_iterations)
+const int number_of_parameters = 20;
 
 // checks that parameter i is found if and only if it is among `given`
 template <int i, int... given, typename NamedParameters>
@@ -115,7 +116,7 @@ void test_default()
   typedef std::decay_t<decltype(params::get_parameter(params::default_values(),
                                                       internal_np::boundary_tolerance))> Found;
   static_assert(std::is_same<Found, internal_np::Param_not_found>::value, "nothing is given");
-  check_chain(params::verbose(true).visitor(Value<16>()), std::integer_sequence<int, 0, 6, 18>());
+  check_chain(params::verbose(true).visitor(Value<17>()), std::integer_sequence<int, 0, 6, 19>());
 }
 
 // a visitor with a state is passed by std::ref() and comes back as a reference

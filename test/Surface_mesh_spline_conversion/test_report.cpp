@@ -23,6 +23,7 @@ SC::Conversion_report make_report()
   report.warnings = {"first", "second"};
   report.input.vertices = 12;
   report.input.diameter = 0.1;
+  report.input.facet_sagitta = 0.002;
   report.boundary_tolerance = 1e-6;
   report.interior_tolerance = 1. / 3;
   report.boundary.max_deviation = 1e-300;
@@ -55,6 +56,7 @@ void test_JSON(const SC::Conversion_report& report)
   assert(tree.get_child("warnings").size() == 2);
   assert(tree.get<int>("input.vertices") == 12);
   assert(tree.get<double>("input.diameter") == 0.1);
+  assert(tree.get<double>("input.facet_sagitta") == 0.002);
   assert(tree.get<double>("delta") == 1. / 3);
   assert(tree.get<double>("boundary.max_deviation") == 1e-300);
   assert(tree.get<int>("boundary.worst.curve") == 7);

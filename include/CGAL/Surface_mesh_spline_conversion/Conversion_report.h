@@ -56,6 +56,8 @@ struct Conversion_report
     size_type loops = 0;            ///< number of boundary loops
     size_type corners = 0;          ///< number of corners of the boundary
     double diameter = not_measured; ///< of the smallest sphere that encloses the vertices (D)
+    /// largest distance between a facet and an arc that bends like the mesh at an edge of the facet
+    double facet_sagitta = not_measured;
   };
 
   /// describes the distance between the boundary of the surface and the curves.
@@ -78,6 +80,7 @@ struct Conversion_report
     double max_deviation = not_measured;         ///< in the chosen error metric
     double mean_deviation = not_measured;        ///< mean over the samples
     double fraction_within_delta = not_measured; ///< share of the samples, in `[0,1]`
+    double certified_bound = not_measured;       ///< proved bound from surface to mesh, if asked for
     /// place of the largest deviation
     std::array<double, 3> worst = {{not_measured, not_measured, not_measured}};
   };

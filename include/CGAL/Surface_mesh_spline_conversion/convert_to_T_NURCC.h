@@ -124,6 +124,12 @@ mesh to T-NURCC surface conversion*, Computers & Graphics 82 (2019).
     \cgalParamType{`bool`}
     \cgalParamDefault{`false`}
   \cgalParamNEnd
+  \cgalParamNBegin{do_certify_interior}
+    \cgalParamDescription{whether an upper bound of the distance from the surfaces to the mesh is
+                           proved in the end, see `bound_interior_deviation()`}
+    \cgalParamType{`bool`}
+    \cgalParamDefault{`false`}
+  \cgalParamNEnd
   \cgalParamNBegin{maximum_number_of_patches}
     \cgalParamDescription{a surface is not refined if it would have more patches than that}
     \cgalParamType{`std::size_t`}

@@ -32,6 +32,7 @@ inline void write_JSON_input(JSON_writer& json, const Conversion_report& report)
   json.member("loops", report.input.loops);
   json.member("corners", report.input.corners);
   json.member("diameter", report.input.diameter);
+  json.member("facet_sagitta", report.input.facet_sagitta);
   json.close('}');
   json.member("xi", report.boundary_tolerance);
   json.member("delta", report.interior_tolerance);
@@ -57,6 +58,7 @@ inline void write_JSON_deviations(JSON_writer& json, const Conversion_report& re
   json.member("max_deviation", report.interior.max_deviation);
   json.member("mean_deviation", report.interior.mean_deviation);
   json.member("fraction_within_delta", report.interior.fraction_within_delta);
+  json.member("certified_bound", report.interior.certified_bound);
   json.member("worst", report.interior.worst);
   json.close('}');
 }

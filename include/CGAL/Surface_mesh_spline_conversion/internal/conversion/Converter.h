@@ -17,12 +17,14 @@
 #include <CGAL/Surface_mesh_spline_conversion/NURBS_shell_3.h>
 #include <CGAL/Surface_mesh_spline_conversion/Quad_layout.h>
 #include <CGAL/Surface_mesh_spline_conversion/Transfinite_patch_network_3.h>
+#include <CGAL/Surface_mesh_spline_conversion/bound_interior_deviation.h>
 #include <CGAL/Surface_mesh_spline_conversion/compute_quad_layout.h>
 #include <CGAL/Surface_mesh_spline_conversion/extract_NURBS_faces.h>
 #include <CGAL/Surface_mesh_spline_conversion/find_boundary_vertices.h>
 #include <CGAL/Surface_mesh_spline_conversion/fit_boundary.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/conversion/Mesh_component.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/conversion/conversion_options.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/conversion/facet_sagitta.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/conversion/merge_reports.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/Interior_fitter.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/fit_parameters.h>
@@ -154,6 +156,7 @@ private:
       part.message = network.message();
       return network.error();
     }
+    part.input.facet_sagitta = facet_sagitta(component.mesh, get(vertex_point, component.mesh));
     Quad_layout<Kernel> layout;
     const Error_code code
       = compute_quad_layout(component.mesh, network, layout, part,
@@ -189,7 +192,10 @@ private:
     const Error_code interior = fit_interior(fitter, surface, component, network, part);
     if(!is_surface(interior))
       return interior;
+    if(m_options.do_certify)
+      run("certify_interior", part, [&]() { return certify(surface, component, network, part); });
     count(surface, part);
+    warn_about_facets(m_options.interior_tolerance, part);
     m_surfaces.push_back(std::move(surface));
     return interior == Error_code::OK ? result : interior;
   }
@@ -229,10 +235,7 @@ private:
                      Deviation<Kernel>& deviation)
   {
     const auto tolerance = parameters::interior_tolerance(m_options.interior_tolerance);
-    NURBS_shell_3<Kernel> shell;
-    extract_NURBS_faces(surface, shell,
-                        tolerance.boundary_vertices(find_boundary_vertices(
-                          surface, network, FT(m_options.boundary_tolerance))));
+    const NURBS_shell_3<Kernel> shell = extract_shell(surface, network);
     measure_deviation(shell, component.mesh, network, deviation, tolerance);
     part.boundary.max_deviation = CGAL::to_double(deviation.boundary_maximum);
     part.boundary.mean_deviation = CGAL::to_double(deviation.boundary_mean);
@@ -246,6 +249,31 @@ private:
     part.smoothness.max_normal_angle_degrees = CGAL::to_double(deviation.normal_angle_maximum);
     part.counts.nurbs_faces = shell.number_of_faces();
     return check_deviation(deviation, part);
+  }
+
+  NURBS_shell_3<Kernel> extract_shell(const Surface& surface,
+                                      const Component_network& network) const
+  {
+    NURBS_shell_3<Kernel> shell;
+    extract_NURBS_faces(surface, shell,
+                        parameters::interior_tolerance(m_options.interior_tolerance)
+                          .boundary_vertices(find_boundary_vertices(
+                            surface, network, FT(m_options.boundary_tolerance))));
+    return shell;
+  }
+
+  // proves a bound of the distance from the surface to the mesh.
+  Error_code certify(const Surface& surface, const Component& component,
+                     const Component_network& network, Conversion_report& part) const
+  {
+    part.interior.certified_bound = CGAL::to_double(bound_interior_deviation(
+      extract_shell(surface, network), component.mesh, network,
+      parameters::interior_tolerance(m_options.interior_tolerance)));
+    if(part.interior.certified_bound > m_options.interior_tolerance)
+      part.warnings.push_back("the distance of the surface from the mesh is proved to be below "
+                              + format_number(part.interior.certified_bound)
+                              + " only, which is more than the tolerance");
+    return Error_code::OK;
   }
 
   // Chains are numbered anew in each component; the report speaks of those of the whole mesh.

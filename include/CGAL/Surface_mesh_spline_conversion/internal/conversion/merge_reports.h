@@ -68,6 +68,7 @@ inline void merge_interior(const Conversion_report::Interior& part,
     whole.worst = part.worst;
   whole.mean_deviation
     = weighted_mean(whole.mean_deviation, whole_weight, part.mean_deviation, part_weight);
+  whole.certified_bound = larger(whole.certified_bound, part.certified_bound);
   whole.fraction_within_delta = weighted_mean(whole.fraction_within_delta, whole_weight,
                                               part.fraction_within_delta, part_weight);
 }
@@ -140,6 +141,7 @@ inline void merge_reports(const Conversion_report& part, Conversion_report& whol
   merge_map(part.map, whole.map, double(part.counts.layout_quads),
             double(whole.counts.layout_quads));
   merge_counts(part.counts, whole.counts);
+  whole.input.facet_sagitta = larger(whole.input.facet_sagitta, part.input.facet_sagitta);
   whole.smoothness.max_normal_angle_degrees
     = larger(whole.smoothness.max_normal_angle_degrees, part.smoothness.max_normal_angle_degrees);
   whole.smoothness.max_tangency_angle_degrees = larger(

@@ -25,6 +25,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -91,6 +92,12 @@ public:
     const Eigen::Vector3d a = to_eigen(t[0]);
     return {(to_eigen(closest.first) - p).norm(),
             (to_eigen(t[1]) - a).cross(to_eigen(t[2]) - a)};
+  }
+
+  /// the distance from one of the triangles
+  double distance_to_triangle(const Eigen::Vector3d& p, std::size_t triangle) const
+  {
+    return std::sqrt(CGAL::squared_distance(point(p), m_triangles[triangle]));
   }
 
   /// the distance from the boundary, infinite if there is none, and the chord gap there
