@@ -3,10 +3,12 @@
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh_spline_conversion/Boundary_curve_network_3.h>
+#include <CGAL/Surface_mesh_spline_conversion/IO/STEP.h>
 #include <CGAL/Surface_mesh_spline_conversion/IO/read_case.h>
 #include <CGAL/Surface_mesh_spline_conversion/Transfinite_patch_network_3.h>
 #include <CGAL/Surface_mesh_spline_conversion/compute_cross_field.h>
 #include <CGAL/Surface_mesh_spline_conversion/compute_integer_grid_map.h>
+#include <CGAL/Surface_mesh_spline_conversion/extract_NURBS_faces.h>
 #include <CGAL/Surface_mesh_spline_conversion/extract_quad_layout.h>
 #include <CGAL/Surface_mesh_spline_conversion/fit_boundary.h>
 #include <CGAL/Surface_mesh_spline_conversion/fit_interior.h>
@@ -19,6 +21,7 @@
 #include <cstdlib>
 #include <iostream>
 #include <numeric>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -196,6 +199,57 @@ void measure_evaluation(benchmark::State& state, const Pipeline& pipeline)
                           * state.iterations());
 }
 
+// The surface with all patches halved in turns until there are more than 50000.
+Surface refined_surface(const Layout& layout)
+{
+  const std::size_t patches = 50000;
+  Surface surface(layout);
+  for(bool along_u = true; surface.number_of_patches() < patches; along_u = !along_u)
+  {
+    std::vector<Surface::Patch_split> splits;
+    for(std::size_t patch = 0; patch < surface.number_of_patches(); ++patch)
+      splits.push_back({patch, along_u, !along_u});
+    surface.refine(splits);
+  }
+  return surface;
+}
+
+void measure_extraction(benchmark::State& state, const Pipeline& pipeline)
+{
+  const Surface surface = refined_surface(pipeline.layout);
+  for(auto _ : state)
+  {
+    SC::NURBS_shell_3<K> shell;
+    SC::extract_NURBS_faces(surface, shell);
+    state.counters["faces"] = static_cast<double>(shell.number_of_faces());
+  }
+  state.counters["patches"] = static_cast<double>(surface.number_of_patches());
+}
+
+void measure_writing(benchmark::State& state, const Pipeline& pipeline, bool do_merge)
+{
+  const Surface surface = refined_surface(pipeline.layout);
+  SC::NURBS_shell_3<K> shell;
+  SC::extract_NURBS_faces(surface, shell, CGAL::parameters::do_merge_patches(do_merge));
+  for(auto _ : state)
+  {
+    std::ostringstream os;
+    CGAL::IO::write_STEP(os, shell);
+    state.counters["bytes"] = static_cast<double>(os.tellp());
+  }
+  state.counters["faces"] = static_cast<double>(shell.number_of_faces());
+}
+
+void measure_STEP(benchmark::State& state, const Pipeline& pipeline)
+{
+  measure_writing(state, pipeline, true);
+}
+
+void measure_STEP_of_elements(benchmark::State& state, const Pipeline& pipeline)
+{
+  measure_writing(state, pipeline, false);
+}
+
 // Runs the stages up to the layout; returns `false` if one of them fails.
 bool prepare(const std::string& path, Pipeline& pipeline)
 {
@@ -243,7 +297,10 @@ int main(int argc, char* argv[])
     {"fit_boundary", measure_fit_boundary},
     {"fit_interior", measure_fit_interior},
     {"fit", measure_fit},
-    {"evaluation", measure_evaluation}};
+    {"evaluation", measure_evaluation},
+    {"extraction", measure_extraction},
+    {"STEP", measure_STEP},
+    {"STEP_of_elements", measure_STEP_of_elements}};
   for(const auto& measurement : measurements)
     benchmark::RegisterBenchmark(
       measurement.first,
