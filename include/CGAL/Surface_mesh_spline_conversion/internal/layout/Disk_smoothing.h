@@ -138,19 +138,18 @@ private:
         Map_neighborhood(*m_map, change.disk.centers, radius), radius);
       if(!disk->is_valid() || !disk->follow_map())
         return false;
-      bool meets_others = false;
+      change.disk.motion = disk;
+      std::vector<int> met;
       for(const int other : disks_near(*disk))
         if(!contains(change.replaced, other) && disk->meets(*m_disks[other].motion))
-        {
-          meets_others = true;
-          change.replaced.push_back(other);
-          change.disk.centers.insert(change.disk.centers.end(), m_disks[other].centers.begin(),
-                                     m_disks[other].centers.end());
-        }
-      std::sort(change.replaced.begin(), change.replaced.end());
-      change.disk.motion = disk;
-      if(!meets_others)
+          met.push_back(other);
+      if(met.empty())
         return true;
+      for(const int other : met)
+        change.disk.centers.insert(change.disk.centers.end(), m_disks[other].centers.begin(),
+                                   m_disks[other].centers.end());
+      change.replaced.insert(change.replaced.end(), met.begin(), met.end());
+      std::sort(change.replaced.begin(), change.replaced.end());
     }
     return false;
   }
