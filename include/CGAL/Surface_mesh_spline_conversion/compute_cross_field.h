@@ -275,12 +275,12 @@ normals, its faces cover the mesh without folds and gaps. If this fails, the mes
                      moves the singularities, and so does one that is not smooth.}
   \cgalParamNEnd
   \cgalParamNBegin{do_keep_large_corners}
-    \cgalParamDescription{whether a corner with an interior angle above a full turn keeps as many quads
-                           as its angle has right angles, five or more, in place of two}
+    \cgalParamDescription{whether a corner with an interior angle above a full turn keeps as many
+                           quads as its angle has right angles, in place of two}
     \cgalParamType{Boolean}
     \cgalParamDefault{`false`}
-    \cgalParamExtra{`T_NURCC_surface_3` does not support such corners. A layout of last resort has two
-                     quads there all the same.}
+    \cgalParamExtra{`T_NURCC_surface_3` does not support such corners. A layout of last resort
+                     has two quads there all the same.}
   \cgalParamNEnd
   \cgalParamNBegin{use_proxy_mesh}
     \cgalParamDescription{whether to try to compute the field on a proxy of the mesh}
