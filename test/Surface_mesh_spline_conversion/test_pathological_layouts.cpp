@@ -1,6 +1,7 @@
-// Layouts of inputs on which maps tend to fail: tiny meshes, needles, vertices close together,
-// loops shorter than a quad, many loops, sizes far from that of the mesh. Each gives a valid
-// layout; inputs that are no surface give a code and a message that names the element.
+// Layouts of inputs on which maps tend to fail: tiny meshes, needles, vertices close together, thin
+// walls, loops shorter than a quad or at the same triangle, many loops, corners with more than a
+// full turn, sizes far from that of the mesh. Each gives a valid layout; inputs that are no surface
+// give a code and a message that names the element.
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -16,6 +17,7 @@
 #include <cmath>
 #include <iostream>
 #include <limits>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -53,6 +55,7 @@ struct Result
   std::string message;
   std::string fallback;
   std::size_t quads = 0;
+  std::multiset<int> irregular; // numbers of quads at vertices, negative at the boundary
 };
 
 void check_layout(const Mesh& mesh, const Network& network, const Layout& layout)
@@ -75,7 +78,7 @@ void check_layout(const Mesh& mesh, const Network& network, const Layout& layout
 }
 
 // `size` is relative to the diameter
-Result compute(Mesh mesh, double size)
+Result compute(Mesh mesh, double size, bool keeps_large_corners = false)
 {
   auto curves = mesh.add_property_map<Mesh::Halfedge_index, Segment>("h:curve").first;
   Result result;
@@ -90,18 +93,22 @@ Result compute(Mesh mesh, double size)
   Layout layout;
   SC::Conversion_report report;
   result.code = SC::compute_quad_layout(mesh, network, layout, report,
-    CGAL::parameters::quad_size_map(size * network.diameter()));
+    CGAL::parameters::quad_size_map(size * network.diameter())
+                     .do_keep_large_corners(keeps_large_corners));
   result.message = report.message;
   result.fallback = report.map.fallback;
   result.quads = layout.number_of_quads();
+  result.irregular = Quad_layout_checks<Layout, Mesh>(layout, mesh, network.diameter())
+                       .irregular_valences();
   if(result.code == SC::Error_code::OK)
     check_layout(mesh, network, layout);
   return result;
 }
 
-void check_valid(const std::string& name, const Mesh& mesh)
+void check_valid(const std::string& name, const Mesh& mesh,
+                 const std::vector<double>& sizes = {0.05, 0.3, 3.})
 {
-  for(double size : {0.05, 0.3, 3.})
+  for(double size : sizes)
   {
     const Result result = compute(mesh, size);
     if(result.code != SC::Error_code::OK)
@@ -155,15 +162,95 @@ void check_bad_triangles()
 
 void check_many_loops()
 {
-  const int n = 6;
   const auto is_hole = [](int i, int j) { return i % 3 == 1 && j % 3 == 1; };
-  const Mesh plate = to_surface_mesh(make_grid(3 * n, 3 * n, false, false, in_plane, is_hole));
-  for(double size : {0.05, 0.3})
+  const auto check = [&](std::size_t n, double size)
   {
-    const Result result = compute(plate, size);
+    const int m = static_cast<int>(3 * n);
+    const Result result = compute(to_surface_mesh(make_grid(m, m, false, false, in_plane, is_hole)),
+                                  size);
     assert(result.code == SC::Error_code::OK);
     // quads at each hole
     assert(result.quads > n * n);
+  };
+  check(6, 0.05);
+  check(6, 0.3);
+}
+
+// two walls at a distance of a hundredth of their size
+void check_thin_walls()
+{
+  const auto in_box = [](double u, double v)
+  {
+    // around the thin direction: 20 steps along one wall, one across, 20 back, one across
+    const double x = u < 20 ? u : (u < 21 ? 20 : (u < 41 ? 41 - u : 0));
+    const double z = u < 20 ? 0 : (u < 21 ? (u - 20) * 0.2 : (u < 41 ? 0.2 : (42 - u) * 0.2));
+    return Eigen::Vector3d(x, v, z);
+  };
+  check_valid("thin wall", to_surface_mesh(make_grid(42, 20, true, false, in_box, no_hole)));
+}
+
+// holes that are triangles of a fine lattice: some triangles have their corners on three loops
+void check_neighboring_loops()
+{
+  Working_mesh plate = make_grid(12, 9, false, false, in_plane, no_hole);
+  Triangles triangles;
+  const auto is_at = [&](const std::array<int, 3>& t, double x, double y)
+  {
+    const Eigen::Vector3d middle
+      = (plate.points[t[0]] + plate.points[t[1]] + plate.points[t[2]]) / 3;
+    return (middle - Eigen::Vector3d(x, y, 0)).norm() < 0.1;
+  };
+  for(const auto& t : plate.triangles)
+    // each has one corner of the triangle (5,4) (6,4) (6,5) on its boundary
+    if(!is_at(t, 5 - 1. / 3, 4 - 2. / 3) && !is_at(t, 6 + 2. / 3, 4 - 2. / 3)
+       && !is_at(t, 6 + 1. / 3, 5 + 2. / 3))
+      triangles.push_back(t);
+  assert(triangles.size() + 3 == plate.triangles.size());
+  check_valid("loops at one triangle", to_surface_mesh(plate.points, triangles), {0.05, 0.3});
+}
+
+// No singularity is needed on a torus, and none appears.
+void check_torus()
+{
+  const Mesh torus = to_surface_mesh(make_grid(60, 24, true, true, [](double u, double v)
+    { return on_torus(pi * u / 30, pi * v / 12); }, no_hole));
+  for(double size : {0.05, 0.1})
+  {
+    const Result result = compute(torus, size);
+    assert(result.code == SC::Error_code::OK && result.fallback == "none");
+    assert(result.irregular.empty());
+  }
+}
+
+// A ramp that winds by one and a quarter turns about a corner: five quads or two.
+void check_large_corner()
+{
+  const int rings = 10, steps = 45;
+  Points points{{0, 0, 0}};
+  Triangles triangles;
+  for(int r = 1; r <= rings; ++r)
+    for(int s = 0; s <= steps; ++s)
+    {
+      const double angle = 2.5 * pi * s / steps;
+      points.emplace_back(r * std::cos(angle), r * std::sin(angle), 0.05 * r * angle);
+    }
+  const auto index = [&](int r, int s) { return r == 0 ? 0 : 1 + (r - 1) * (steps + 1) + s; };
+  for(int r = 0; r < rings; ++r)
+    for(int s = 0; s < steps; ++s)
+    {
+      triangles.push_back({{index(r, s), index(r + 1, s), index(r + 1, s + 1)}});
+      if(r > 0)
+        triangles.push_back({{index(r, s), index(r + 1, s + 1), index(r, s + 1)}});
+    }
+  const Mesh ramp = to_surface_mesh(points, triangles);
+  for(double size : {0.05, 0.1})
+  {
+    const Result kept = compute(ramp, size, true), moved = compute(ramp, size);
+    assert(kept.code == SC::Error_code::OK && kept.fallback == "none");
+    assert(kept.irregular.count(-5) == 1);
+    assert(moved.code == SC::Error_code::OK);
+    // at most two quads at all vertices of the boundary
+    assert(!moved.irregular.empty() && *moved.irregular.begin() >= -2);
   }
 }
 
@@ -193,6 +280,10 @@ int main()
   check_small_meshes();
   check_bad_triangles();
   check_many_loops();
+  check_thin_walls();
+  check_neighboring_loops();
+  check_torus();
+  check_large_corner();
   check_no_surfaces();
   return 0;
 }

@@ -61,6 +61,8 @@ struct Cross_field
                                       ///< the field should follow, zero for none; may be empty
   double spacing = 1;                 ///< distances between singularities, and from them to the
                                       ///< boundary, are those for quads of `size` times this factor
+  bool keeps_large_corners = false;   ///< whether corners of the boundary with an interior angle
+                                      ///< above a full turn keep all their right angles
 };
 
 } // namespace Surface_mesh_spline_conversion

@@ -128,6 +128,7 @@ bool build_cross_field_on_proxy(Cross_field& field, const std::vector<char>& is_
     return false;
   Cross_field on_proxy;
   on_proxy.spacing = field.spacing;
+  on_proxy.keeps_large_corners = field.keeps_large_corners;
   on_proxy.mesh = proxy->mesh;
   on_proxy.size = proxy->size;
   on_proxy.wanted_direction = directions_on_proxy(field, *proxy);
@@ -202,6 +203,8 @@ Error_code compute_cross_field(const TriangleMesh& tm, const BoundaryCurveNetwor
                                     get_const_property_map(vertex_point, tm));
   field = Cross_field();
   field.spacing = attempt.spacing;
+  field.keeps_large_corners
+    = choose_parameter(get_parameter(np, internal_np::do_keep_large_corners), false);
   std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> vertex;
   const Error_code code = make_working_mesh(tm, network, vpm, field.mesh, vertex);
   if(code != Error_code::OK)
@@ -270,6 +273,14 @@ normals, its faces cover the mesh without folds and gaps. If this fails, the mes
     \cgalParamExtra{where it is the zero vector the field is smooth and follows the curvature. At the
                      boundary, alignment with the boundary comes first; a wish that disagrees with it
                      moves the singularities, and so does one that is not smooth.}
+  \cgalParamNEnd
+  \cgalParamNBegin{do_keep_large_corners}
+    \cgalParamDescription{whether a corner with an interior angle above a full turn keeps as many
+                           quads as its angle has right angles, in place of two}
+    \cgalParamType{Boolean}
+    \cgalParamDefault{`false`}
+    \cgalParamExtra{`T_NURCC_surface_3` does not support such corners. A layout of last resort
+                     has two quads there all the same.}
   \cgalParamNEnd
   \cgalParamNBegin{use_proxy_mesh}
     \cgalParamDescription{whether to try to compute the field on a proxy of the mesh}

@@ -180,6 +180,10 @@ private:
       {
         const long turns = std::lround(m_total_angle[v] / right_angle);
         m_target[v] = m_mesh.is_corner[v] && turns <= 1 ? 1 : 2;
+        // as the paper accepts
+        if(m_field.keeps_large_corners && m_mesh.is_corner[v]
+           && m_total_angle[v] > 4 * right_angle)
+          m_target[v] = m_field.quarter_turns[v];
       }
   }
 
