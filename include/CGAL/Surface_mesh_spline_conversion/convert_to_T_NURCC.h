@@ -119,8 +119,8 @@ mesh to T-NURCC surface conversion*, Computers & Graphics 82 (2019).
   \cgalParamNEnd
   \cgalParamNBegin{do_coarsen_patches}
     \cgalParamDescription{whether, after the fit, a surface with fewer patches is searched: patches are
-                           merged, and split again where the tolerances ask for it. This takes about
-                           as long as the fit, and saves a few percent of the patches.}
+                           merged, and split again where the tolerances ask for it. This takes longer
+                           than the fit, and saves a few percent of the patches at most.}
     \cgalParamType{`bool`}
     \cgalParamDefault{`false`}
   \cgalParamNEnd

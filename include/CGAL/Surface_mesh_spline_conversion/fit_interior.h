@@ -73,8 +73,8 @@ distance is measured at the nodes of a 9x9 grid per patch, after the last fit.
   \cgalParamNEnd
   \cgalParamNBegin{do_coarsen_patches}
     \cgalParamDescription{whether, after the fit, a surface with fewer patches is searched: patches are
-                           merged, and split again where the tolerances ask for it. This takes about
-                           as long as the fit, and saves a few percent of the patches.}
+                           merged, and split again where the tolerances ask for it. This takes longer
+                           than the fit, and saves a few percent of the patches at most.}
     \cgalParamType{`bool`}
     \cgalParamDefault{`false`}
   \cgalParamNEnd
