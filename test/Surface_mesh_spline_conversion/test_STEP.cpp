@@ -6,8 +6,6 @@
 #include <CGAL/Surface_mesh_spline_conversion/IO/VTU.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/extract_shell.h>
 
-#include <ctime>
-#include <iostream>
 #include <set>
 #include <sstream>
 #include <string>
@@ -236,19 +234,6 @@ void test_components_and_header()
   assert(!written);
 }
 
-void test_speed()
-{
-  Shell shell;
-  for(int i = 0; i < 50000; ++i)
-    add_square(shell, i + 0.1, i + 0.2, i + 0.3);
-  const std::clock_t start = std::clock(); // other programs may use the processor, too
-  std::ostringstream os;
-  CGAL::IO::write_STEP(os, shell);
-  const double seconds = double(std::clock() - start) / CLOCKS_PER_SEC;
-  std::cout << "50000 faces, " << os.str().size() / 1e6 << " MB: " << seconds << " s" << std::endl;
-  assert(seconds < 5);
-}
-
 // the points of the cells are the Bezier points of the faces, corners first
 void test_vtu(const Shell& shell)
 {
@@ -291,6 +276,5 @@ int main()
     test_vtu(shell);
   }
   test_components_and_header();
-  test_speed();
   return 0;
 }

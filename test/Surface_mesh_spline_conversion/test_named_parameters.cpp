@@ -52,13 +52,14 @@ PACKAGE_PARAMETER(10, cross_field_map)
 PACKAGE_PARAMETER(11, boundary_tangency)
 PACKAGE_PARAMETER(12, do_coarsen_patches)
 PACKAGE_PARAMETER(13, do_certify_interior)
-PARAMETER(14, vertex_point, vertex_point_map)
-PARAMETER(15, geom_traits, geom_traits)
-PARAMETER(16, vertex_is_constrained, vertex_is_constrained_map)
-PARAMETER(17, visitor, visitor)
-PARAMETER(18, verbose, verbose)
-PARAMETER(19, number_of_iterations, number_of_iterations)
-const int number_of_parameters = 20;
+PACKAGE_PARAMETER(14, do_keep_large_corners)
+PARAMETER(15, vertex_point, vertex_point_map)
+PARAMETER(16, geom_traits, geom_traits)
+PARAMETER(17, vertex_is_constrained, vertex_is_constrained_map)
+PARAMETER(18, visitor, visitor)
+PARAMETER(19, verbose, verbose)
+PARAMETER(20, number_of_iterations, number_of_iterations)
+const int number_of_parameters = 21;
 
 // checks that parameter i is found if and only if it is among `given`
 template <int i, int... given, typename NamedParameters>
@@ -116,7 +117,7 @@ void test_default()
   typedef std::decay_t<decltype(params::get_parameter(params::default_values(),
                                                       internal_np::boundary_tolerance))> Found;
   static_assert(std::is_same<Found, internal_np::Param_not_found>::value, "nothing is given");
-  check_chain(params::verbose(true).visitor(Value<17>()), std::integer_sequence<int, 0, 6, 19>());
+  check_chain(params::verbose(true).visitor(Value<18>()), std::integer_sequence<int, 0, 6, 20>());
 }
 
 // a visitor with a state is passed by std::ref() and comes back as a reference

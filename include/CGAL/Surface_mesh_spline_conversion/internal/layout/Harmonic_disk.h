@@ -44,7 +44,8 @@ public:
   Harmonic_disk(const Map_neighborhood& neighborhood, double radius)
   {
     copy_faces(neighborhood);
-    divide_long_edges(radius);
+    if(!divide_long_edges(radius))
+      return;
     divide_at(radius);
     cut_off(radius);
     m_is_valid = find_boundary() && is_disk() && lay_surface_flat();
@@ -306,10 +307,12 @@ private:
     m_corners[f + j] = between;
   }
 
-  // The disk gets enough vertices inside and on its boundary.
-  void divide_long_edges(double radius)
+  // The disk gets enough vertices inside and on its boundary. Returns `false` if that takes too many
+  // faces: where three corners lie on a line in the map, the division may not end.
+  bool divide_long_edges(double radius)
   {
     const double edges_per_radius = 5, reduction = 0.7;
+    const int most_faces = 2 * m_mesh.number_of_faces() + 20000;
     double longest = 0;
     for(int h = 0; h < m_mesh.number_of_halfedges(); ++h)
       if(map_distance(h) < radius)
@@ -319,8 +322,13 @@ private:
       longest = (std::max)(reduction * longest, radius / edges_per_radius);
       for(int h = 0; h < m_mesh.number_of_halfedges(); ++h)
         if(map_length(h) > longest && map_distance(h) < radius)
+        {
+          if(m_mesh.number_of_faces() > most_faces)
+            return false;
           split_edge(h);
+        }
     }
+    return true;
   }
 
   // of the edge from the center
