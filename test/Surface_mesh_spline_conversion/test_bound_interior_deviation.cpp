@@ -1,5 +1,7 @@
 // Bounds of the distance from a bicubic face to a mesh: with known answers, and against dense samples.
 
+#include "graph_mesh.h"
+
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_spline_conversion/Boundary_curve_network_3.h>
@@ -29,27 +31,6 @@ typedef SMSC::Boundary_curve_network_3<Mesh, Curve_traits> Network;
 const double size = 10;
 const int cells = 20;
 const double band = 2; // more than three mean edge lengths of the mesh
-
-// the graph of a function over [0,size]^2, in two triangles a cell
-Mesh graph_mesh(const std::function<double(double, double)>& z)
-{
-  Mesh mesh;
-  std::vector<Mesh::Vertex_index> v;
-  for(int j = 0; j <= cells; ++j)
-    for(int i = 0; i <= cells; ++i)
-    {
-      const double x = size * i / cells, y = size * j / cells;
-      v.push_back(mesh.add_vertex(Point_3(x, y, z(x, y))));
-    }
-  for(int j = 0; j < cells; ++j)
-    for(int i = 0; i < cells; ++i)
-    {
-      const int k = j * (cells + 1) + i;
-      mesh.add_face(v[k], v[k + 1], v[k + cells + 2]);
-      mesh.add_face(v[k], v[k + cells + 2], v[k + cells + 1]);
-    }
-  return mesh;
-}
 
 // a bicubic face over the square; `z(i,j)` is the height of a control point
 Shell one_face(const std::function<double(int, int)>& z)
@@ -122,7 +103,7 @@ double sampled_distance(const Shell& shell, const Mesh& mesh)
 
 void test_known_answers()
 {
-  const Mesh flat = graph_mesh([](double, double) { return 0; });
+  const Mesh flat = graph_mesh<Mesh>(size, cells, [](double, double) { return 0; });
   const double height = 0.1;
   const Shell raised = one_face([height](int, int) { return height; });
   for(const double tolerance : {1e-3, 0.999 * height})
@@ -153,7 +134,8 @@ void test_against_samples()
   {
     const double a = random(), b = random();
     const Mesh mesh
-      = graph_mesh([a, b](double x, double y) { return 0.3 * std::sin(a * x + b) * std::cos(b * y); });
+      = graph_mesh<Mesh>(size, cells, [a, b](double x, double y)
+        { return 0.3 * std::sin(a * x + b) * std::cos(b * y); });
     std::array<double, 16> heights;
     for(double& h : heights)
       h = 0.6 * random();

@@ -1,4 +1,6 @@
 // Deviations of a plane face with known answers from a plane mesh with straight boundary.
+#include "graph_mesh.h"
+
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_spline_conversion/Boundary_curve_network_3.h>
@@ -21,24 +23,6 @@ typedef SMSC::NURBS_curve_traits_3<K> Curve_traits;
 
 const double SIZE = 10;
 const int CELLS = 20;
-
-// [0,SIZE]^2 in two triangles a cell
-Mesh square_mesh()
-{
-  Mesh mesh;
-  std::vector<Mesh::Vertex_index> v;
-  for(int j = 0; j <= CELLS; ++j)
-    for(int i = 0; i <= CELLS; ++i)
-      v.push_back(mesh.add_vertex(Point_3(SIZE * i / CELLS, SIZE * j / CELLS, 0)));
-  for(int j = 0; j < CELLS; ++j)
-    for(int i = 0; i < CELLS; ++i)
-    {
-      const int k = j * (CELLS + 1) + i;
-      mesh.add_face(v[k], v[k + 1], v[k + CELLS + 2]);
-      mesh.add_face(v[k], v[k + CELLS + 2], v[k + CELLS + 1]);
-    }
-  return mesh;
-}
 
 // two bicubic faces side by side over the square; `z(i,j)` moves control point i of 0 to 6, j of 0 to 3
 Shell two_faces(const std::function<double(int, int)>& z)
@@ -126,7 +110,7 @@ Shell face_grid(int n, double height)
 
 struct Measurement
 {
-  Mesh mesh = square_mesh();
+  Mesh mesh = graph_mesh<Mesh>(SIZE, CELLS, [](double, double) { return 0; });
   Curve_traits traits;
 
   SMSC::Deviation<K> operator()(const Shell& shell, double tolerance = 1)
