@@ -237,6 +237,11 @@ public:
     return m_basis.patch_at(quad, CGAL::to_double(u), CGAL::to_double(v));
   }
 
+  /// returns a number that tells when the basis functions of patch `i` have got their present form: a
+  /// patch that covers the same rectangle as one before some refinements, and has the same number,
+  /// has the same functions.
+  size_type basis_stamp(size_type i) const { return m_basis.stamp(i); }
+
   /// returns `true` if patch `i` has an extraordinary point as vertex.
   bool is_extraordinary_patch(size_type i) const
   {
@@ -264,6 +269,10 @@ public:
   {
     return ORIGIN + sum(patch, u, v, 0, 0);
   }
+
+  /// computes the points of a patch on a uniform grid of `nu` intervals in `u` and `nv` in `v`: point
+  /// `j*(nu+1)+i` is the one at `i` intervals along `u` and `j` along `v`.
+  void positions(size_type patch, size_type nu, size_type nv, std::vector<Point_3>& out) const;
 
   /// returns the derivative of order `i` in `u` and `j` in `v`.
   /// At an extraordinary point, the first derivatives are tangent vectors of a conventional length,
@@ -393,7 +402,7 @@ private:
   void update()
   {
     m_mesh.update();
-    m_basis = Patch_basis(m_mesh);
+    m_basis = Patch_basis(m_mesh, m_basis);
     m_extraordinary_points.clear();
     for(Vertex v : m_mesh.mesh().vertices())
       if(m_mesh.is_extraordinary(v))
@@ -431,6 +440,8 @@ private:
   void mark_spans(const std::vector<Boundary_span>& spans, Closure& closure) const;
   bool is_chain_end(Vertex v) const;
   Bezier_element regular_element(size_type i, const Regular_element& e) const;
+  void add_positions(const Patch& patch, const Regular_element& e, size_type nu, size_type nv,
+                     std::vector<Point_3>& out) const;
   void add_functions(const Regular_element& e, const Rectangle& r,
                      std::array<Vector_3, 16>& points) const;
   Point_3 stencil_point(const Extraordinary_face& face,
@@ -468,5 +479,6 @@ private:
 } // namespace CGAL
 
 #include <CGAL/Surface_mesh_spline_conversion/internal/surface/T_NURCC_surface_3_impl.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/surface/T_NURCC_surface_3_positions.h>
 
 #endif // CGAL_T_NURCC_SURFACE_3_H

@@ -289,7 +289,7 @@ private:
     {
       if(!m_visitor.go_further())
         return Error_code::INTERRUPTED;
-      Target_reprojection<Surface, Target>(m_surface, m_target, samples)(region.patches());
+      Target_reprojection<Surface, Target>(m_target, samples)(region.patches());
       is_solved = solve(system, next_accuracy);
     }
     if(!is_solved)

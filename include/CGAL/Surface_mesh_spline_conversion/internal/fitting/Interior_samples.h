@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <memory>
 #include <numeric>
 #include <tuple>
 #include <type_traits>
@@ -98,19 +99,30 @@ public:
   // returns the number of control points that act on a patch
   size_type number_of_functions(size_type patch) const
   {
-    return m_first_function[patch + 1] - m_first_function[patch];
+    return m_stencils[patch]->functions.size();
   }
 
   // returns a control point that acts on a patch
   size_type function(size_type patch, size_type i) const
   {
-    return m_functions[m_first_function[patch] + i];
+    return m_stencils[patch]->functions[i];
   }
 
   // returns the values of the functions of a patch at fit sample `k`
   const double* values(size_type patch, size_type k) const
   {
-    return m_values.data() + m_first_value[patch] + k * number_of_functions(patch);
+    return m_stencils[patch]->values.data() + k * number_of_functions(patch);
+  }
+
+  // returns the point of the surface at fit sample `k`
+  Eigen::Vector3d surface_point(size_type patch, size_type k) const
+  {
+    const Patch_stencils& s = *m_stencils[patch];
+    const double* value = values(patch, k);
+    Eigen::Vector3d result(0, 0, 0);
+    for(size_type i = 0; i < s.functions.size(); ++i)
+      result += value[i] * to_eigen(m_surface.control_point(s.functions[i]));
+    return result;
   }
 
   // the trapezoidal rule: the target is only continuous (paper, section 3.3.1)
@@ -293,29 +305,18 @@ private:
 
   void make_stencils(const Interior_samples* previous)
   {
-    std::vector<Patch_stencils> stencils(m_number_of_patches);
-    for_each_index(m_number_of_patches, [&](size_type p) { stencils[p] = patch_stencils(p); });
-    m_first_function.push_back(0);
-    m_first_value.push_back(0);
+    m_stencils.resize(m_number_of_patches);
+    m_stamps.resize(m_number_of_patches);
     m_has_previous_functions.resize(m_number_of_patches);
-    for(size_type p = 0; p < m_number_of_patches; ++p)
+    for_each_index(m_number_of_patches, [&](size_type p)
     {
-      const Patch_stencils& s = stencils[p];
-      m_functions.insert(m_functions.end(), s.functions.begin(), s.functions.end());
-      m_values.insert(m_values.end(), s.values.begin(), s.values.end());
-      m_first_function.push_back(m_functions.size());
-      m_first_value.push_back(m_values.size());
-      m_has_previous_functions[p] = is_known(p) && previous->has_functions(m_previous[p], s);
-    }
-  }
-
-  bool has_functions(size_type patch, const Patch_stencils& s) const
-  {
-    return number_of_functions(patch) == s.functions.size()
-           && std::equal(s.functions.begin(), s.functions.end(),
-                         m_functions.data() + m_first_function[patch])
-           && std::equal(s.values.begin(), s.values.end(),
-                         m_values.data() + m_first_value[patch]);
+      m_stamps[p] = m_surface.basis_stamp(p);
+      m_has_previous_functions[p]
+        = is_known(p) && previous->m_stamps[m_previous[p]] == m_stamps[p];
+      m_stencils[p] = m_has_previous_functions[p]
+                        ? previous->m_stencils[m_previous[p]]
+                        : std::make_shared<const Patch_stencils>(patch_stencils(p));
+    });
   }
 
   Patch_stencils patch_stencils(size_type patch) const
@@ -363,9 +364,9 @@ private:
   std::vector<size_type> m_previous; // patches
   std::vector<char> m_has_previous_functions;
   std::vector<Grid> m_grids;
-  std::vector<size_type> m_first_function, m_functions;
-  std::vector<size_type> m_first_value, m_first_fit_sample, m_first_error_sample; // of a patch
-  std::vector<double> m_values;
+  std::vector<size_type> m_stamps; // of the functions of the patches
+  std::vector<std::shared_ptr<const Patch_stencils> > m_stencils;
+  std::vector<size_type> m_first_fit_sample, m_first_error_sample; // of a patch
   std::vector<size_type> m_patches; // of the error samples
   std::vector<Eigen::Vector3d> m_targets, m_fit_targets;
   std::vector<size_type> m_faces;

@@ -17,6 +17,8 @@
 #include <Eigen/Core>
 #include <Eigen/LU>
 
+#include <vector>
+
 namespace CGAL {
 namespace Surface_mesh_spline_conversion {
 namespace internal {
@@ -68,10 +70,16 @@ private:
   bool improve(const Place& start)
   {
     constexpr double largest_step = 0.25; // in quads
-    const Eigen::Vector3d difference = m_query - point(start);
-    Eigen::Matrix<double, 3, 2> tangents;
-    tangents.col(0) = to_eigen(m_surface.derivative(start.patch, start.u, start.v, 1, 0));
-    tangents.col(1) = to_eigen(m_surface.derivative(start.patch, start.u, start.v, 0, 1));
+    Eigen::Vector3d difference = m_query;
+    Eigen::Matrix<double, 3, 2> tangents = Eigen::Matrix<double, 3, 2>::Zero();
+    m_surface.basis(start.patch, start.u, start.v, 1, m_functions);
+    for(const auto& f : m_functions)
+    {
+      const Eigen::Vector3d p = to_eigen(m_surface.control_point(f.control_point));
+      difference -= f.value[0] * p;
+      tangents.col(0) += f.value[1] * p;
+      tangents.col(1) += f.value[2] * p;
+    }
     const Eigen::Matrix2d gram = tangents.transpose() * tangents;
     if(!(gram.determinant() > 0))
       return false;
@@ -101,6 +109,7 @@ private:
   const Surface& m_surface;
   const Layout& m_layout;
   const Eigen::Vector3d& m_query;
+  std::vector<typename Surface::Basis_function> m_functions; // at the start of a step
   Place m_place;
   Eigen::Vector3d m_point;
 };

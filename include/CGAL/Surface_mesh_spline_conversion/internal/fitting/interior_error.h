@@ -312,11 +312,13 @@ private:
 
   void make_bounds(size_type patch)
   {
-    for(size_type i = m_samples.first_error_sample(patch);
-        i < m_samples.first_error_sample(patch + 1); ++i)
+    const auto& grid = m_samples.grid(patch);
+    const size_type first = m_samples.first_error_sample(patch);
+    std::vector<Point_3> points;
+    m_surface.positions(patch, 2 * grid.u, 2 * grid.v, points);
+    for(size_type i = first; i < m_samples.first_error_sample(patch + 1); ++i)
     {
-      const typename Samples::Place at = place(i);
-      m_points[i] = to_eigen(m_surface.position(at.patch, at.u, at.v));
+      m_points[i] = to_eigen(points[i - first]);
       m_distances[i] = (m_points[i] - target_point(i)).norm();
       m_is_bound[i] = !m_is_parametric;
     }

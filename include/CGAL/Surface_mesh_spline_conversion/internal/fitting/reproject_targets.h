@@ -42,8 +42,8 @@ class Target_reprojection
   typedef std::vector<Eigen::Vector3d> Points;
 
 public:
-  Target_reprojection(const Surface& surface, const Target& target, Samples& samples)
-    : m_surface(surface), m_target(target), m_samples(samples)
+  Target_reprojection(const Target& target, Samples& samples)
+    : m_target(target), m_samples(samples)
   {}
 
   void operator()(const std::vector<size_type>& patches)
@@ -62,8 +62,8 @@ private:
       const typename Samples::Place at = m_samples.error_place(i);
       original.push_back(m_samples.target(i));
       feet.push_back(to_eigen(m_target.foot_point(
-        m_surface.position(at.patch, at.u, at.v), at.quad, at.u, at.v, to_point(original.back()),
-        m_samples.mesh_face(i))));
+        to_point(m_samples.surface_point(patch, k)), at.quad, at.u, at.v,
+        to_point(original.back()), m_samples.mesh_face(i))));
     }
     unfold(grid.u + 1, grid.v + 1, original, feet);
     for(size_type k = 0; k < grid.number_of_fit_samples(); ++k)
@@ -105,7 +105,6 @@ private:
     return (points[k + columns + 1] - points[k]).cross(points[k + columns] - points[k + 1]);
   }
 
-  const Surface& m_surface;
   const Target& m_target;
   Samples& m_samples;
 };

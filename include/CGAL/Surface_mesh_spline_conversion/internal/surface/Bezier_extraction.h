@@ -28,6 +28,11 @@ struct Element_function
 {
   std::size_t control_point;
   Row u, v;
+
+  bool operator==(const Element_function& f) const
+  {
+    return control_point == f.control_point && u == f.u && v == f.v;
+  }
 };
 
 // a rectangle of a face on which the surface is one bicubic polynomial; coordinates of the face in

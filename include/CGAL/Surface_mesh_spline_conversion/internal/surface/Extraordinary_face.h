@@ -50,6 +50,18 @@ struct Face_quarter
   Catmull_clark_tables::Pointer table; // null if the corner is regular
   Stencil_matrix net;                  // 2n+8 points after the first subdivision
   Stencil_matrix bezier;               // of a quarter with regular corner
+
+  // \pre the tables are from the same set
+  bool operator==(const Face_quarter& q) const
+  {
+    return table == q.table && are_equal(net, q.net) && are_equal(bezier, q.bezier);
+  }
+
+private:
+  static bool are_equal(const Stencil_matrix& a, const Stencil_matrix& b)
+  {
+    return a.rows() == b.rows() && a.cols() == b.cols() && a == b;
+  }
 };
 
 // The values of the basis functions of a face: one column per control point, rows for N, N_u, N_v,
@@ -86,6 +98,12 @@ public:
     double s, t;   // in the piece
     bool is_extraordinary_point = false;
   };
+
+  // \pre the tables of both are from the same set
+  bool has_functions(const Extraordinary_face& other) const
+  {
+    return control_points == other.control_points && quarters == other.quarters;
+  }
 
   // converts face coordinates to coordinates of the quarter with the given corner
   static std::array<double, 2> to_quarter(int corner, double u, double v)

@@ -14,6 +14,7 @@
 #include <CGAL/Surface_mesh_spline_conversion/internal/surface/Bezier_extraction.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/surface/Extraordinary_face.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <limits>
@@ -45,16 +46,15 @@ class Patch_basis
 public:
   Patch_basis() {}
 
-  // \pre `mesh` is up to date
-  explicit Patch_basis(const Mesh& mesh)
+  // `previous`: the basis before the mesh was refined, or an empty one. \pre `mesh` is up to date
+  Patch_basis(const Mesh& mesh, const Patch_basis& previous) : m_tables(previous.m_tables)
   {
     Bezier_extraction<Point> extraction(mesh);
     m_functions.swap(extraction.functions);
     m_elements.swap(extraction.elements);
     m_first_element.swap(extraction.first_element);
     m_patch_of_face.assign(mesh.mesh().num_faces(), no_index);
-    Catmull_clark_tables tables;
-    Extraordinary_face_builder<Point> builder(mesh, tables);
+    Extraordinary_face_builder<Point> builder(mesh, m_tables);
     for(Face f : mesh.mesh().faces())
       if(mesh.is_patch(f))
       {
@@ -70,6 +70,7 @@ public:
         m_patch_of_face[f] = m_patches.size();
         m_patches.push_back(patch);
       }
+    set_stamps(previous);
   }
 
   std::size_t number_of_patches() const { return m_patches.size(); }
@@ -87,6 +88,10 @@ public:
     }
     return no_index;
   }
+
+  // A number that tells when the functions of a patch have got their present form: a patch on the
+  // same rectangle that had the same number before some refinements had the same functions.
+  std::size_t stamp(std::size_t i) const { return m_stamps[i]; }
 
   const Extraordinary_face& extraordinary_face(const Patch& patch) const
   {
@@ -126,6 +131,55 @@ private:
   {
     return Patch{f, origin.quad, to_parameter(origin.first[0]), to_parameter(origin.first[1]),
                  to_parameter(origin.last[0]), to_parameter(origin.last[1]), no_index};
+  }
+
+  // patches whose functions are not those of the previous basis get a new stamp
+  void set_stamps(const Patch_basis& previous)
+  {
+    m_last_stamp = previous.m_last_stamp + 1;
+    for(const Patch& patch : m_patches)
+    {
+      const std::size_t i = previous.find(patch);
+      m_stamps.push_back(i != no_index && has_functions(patch, previous, previous.m_patches[i])
+                           ? previous.m_stamps[i] : m_last_stamp);
+    }
+  }
+
+  // returns the patch on the same rectangle, or `no_index`
+  std::size_t find(const Patch& patch) const
+  {
+    if(patch.quad < m_patches_of_quad.size())
+      for(std::size_t i : m_patches_of_quad[patch.quad])
+      {
+        const Patch& p = m_patches[i];
+        if(p.u0 == patch.u0 && p.v0 == patch.v0 && p.u1 == patch.u1 && p.v1 == patch.v1)
+          return i;
+      }
+    return no_index;
+  }
+
+  bool has_functions(const Patch& patch, const Patch_basis& other, const Patch& of_other) const
+  {
+    if((patch.extraordinary == no_index) != (of_other.extraordinary == no_index)
+       || (patch.extraordinary != no_index
+           && !extraordinary_face(patch).has_functions(other.extraordinary_face(of_other))))
+      return false;
+    return std::equal(m_elements.begin() + std::ptrdiff_t(first_element(patch)),
+                      m_elements.begin() + std::ptrdiff_t(last_element(patch)),
+                      other.m_elements.begin() + std::ptrdiff_t(other.first_element(of_other)),
+                      other.m_elements.begin() + std::ptrdiff_t(other.last_element(of_other)),
+                      [&](const Regular_element& a, const Regular_element& b)
+                      { return has_functions(a, other, b); });
+  }
+
+  bool has_functions(const Regular_element& a, const Patch_basis& other,
+                     const Regular_element& b) const
+  {
+    return a.u0 == b.u0 && a.v0 == b.v0 && a.u1 == b.u1 && a.v1 == b.v1
+           && std::equal(m_functions.begin() + std::ptrdiff_t(a.first),
+                         m_functions.begin() + std::ptrdiff_t(a.last),
+                         other.m_functions.begin() + std::ptrdiff_t(b.first),
+                         other.m_functions.begin() + std::ptrdiff_t(b.last));
   }
 
   template <typename Visitor>
@@ -184,7 +238,10 @@ private:
     }
   }
 
+  Catmull_clark_tables m_tables;
   std::vector<Patch> m_patches;
+  std::vector<std::size_t> m_stamps; // of the patches
+  std::size_t m_last_stamp = 0;
   std::vector<std::size_t> m_patch_of_face;
   std::vector<std::vector<std::size_t> > m_patches_of_quad;
   std::vector<Element_function> m_functions;
