@@ -237,9 +237,9 @@ public:
     return m_basis.patch_at(quad, CGAL::to_double(u), CGAL::to_double(v));
   }
 
-  /// returns a number that tells when the basis functions of patch `i` have got their present form: a
-  /// patch that covers the same rectangle as one before some refinements, and has the same number,
-  /// has the same functions.
+  /// returns a number that tells when the basis functions of patch `i` have got their present form:
+  /// a patch that covers the same rectangle as one before some refinements, and has the same
+  /// number, has the same functions.
   size_type basis_stamp(size_type i) const { return m_basis.stamp(i); }
 
   /// returns `true` if patch `i` has an extraordinary point as vertex.
@@ -270,8 +270,8 @@ public:
     return ORIGIN + sum(patch, u, v, 0, 0);
   }
 
-  /// computes the points of a patch on a uniform grid of `nu` intervals in `u` and `nv` in `v`: point
-  /// `j*(nu+1)+i` is the one at `i` intervals along `u` and `j` along `v`.
+  /// computes the points of a patch on a uniform grid of `nu` intervals in `u` and `nv` in `v`:
+  /// point `j*(nu+1)+i` is the one at `i` intervals along `u` and `j` along `v`.
   void positions(size_type patch, size_type nu, size_type nv, std::vector<Point_3>& out) const;
 
   /// returns the derivative of order `i` in `u` and `j` in `v`.

@@ -91,6 +91,55 @@ void check_bezier_elements(const Surface<K>& surface)
   assert(std::abs(area - area_of_patches) < 1e-9);
 }
 
+// grids of points of patches are the points one by one
+template <typename K>
+void check_grids(const Surface<K>& surface)
+{
+  const std::size_t nu = 6, nv = 4;
+  std::vector<typename K::Point_3> points;
+  for(std::size_t i = 0; i < surface.number_of_patches(); ++i)
+  {
+    const auto r = surface.patch_origin(i);
+    surface.positions(i, nu, nv, points);
+    assert(points.size() == (nu + 1) * (nv + 1));
+    for(std::size_t k = 0; k < points.size(); ++k)
+    {
+      const double u = r.u0 + (r.u1 - r.u0) * double(k % (nu + 1)) / double(nu);
+      const double v = r.v0 + (r.v1 - r.v0) * double(k / (nu + 1)) / double(nv);
+      assert(CGAL::squared_distance(points[k], surface.position(i, u, v)) < 1e-24);
+    }
+  }
+}
+
+// Patches that a refinement has left with the same number have the same functions, and those whose
+// functions have changed have another one. Returns how many have the same number.
+template <typename K>
+std::size_t check_stamps(const Surface<K>& before, const Surface<K>& after)
+{
+  typedef std::vector<typename Surface<K>::Basis_function> Basis;
+  std::size_t result = 0;
+  for(std::size_t i = 0; i < after.number_of_patches(); ++i)
+  {
+    const auto r = after.patch_origin(i);
+    const std::size_t j = before.patch_at(r.quad, (r.u0 + r.u1) / 2, (r.v0 + r.v1) / 2);
+    const auto s = before.patch_origin(j);
+    bool is_equal = r.u0 == s.u0 && r.u1 == s.u1 && r.v0 == s.v0 && r.v1 == s.v1;
+    for(int k = 0; is_equal && k < 25; ++k)
+    {
+      const double u = r.u0 + (r.u1 - r.u0) * (0.03 + 0.235 * (k % 5));
+      const double v = r.v0 + (r.v1 - r.v0) * (0.03 + 0.235 * (k / 5));
+      Basis a, b;
+      before.basis(j, u, v, 0, a);
+      after.basis(i, u, v, 0, b);
+      is_equal = std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& f, const auto& g)
+        { return f.control_point == g.control_point && f.value[0] == g.value[0]; });
+    }
+    assert(is_equal == (after.basis_stamp(i) == before.basis_stamp(j)));
+    result += is_equal ? 1 : 0;
+  }
+  return result;
+}
+
 // evaluates a boundary curve by its definition
 template <typename K>
 typename K::Point_3 curve_point(const Surface<K>& surface,
@@ -230,6 +279,7 @@ void test_boundary_refinement(Layout<K> layout, double share_of_corners, unsigne
     }
     surface.refine_boundary(spans);
     assert(surface.is_valid());
+    check_stamps(before, surface);
     for(const auto& span : spans)
     {
       const auto knots = surface.boundary_curve(span.chain).knots;
@@ -252,6 +302,7 @@ void test_boundary_refinement(Layout<K> layout, double share_of_corners, unsigne
   }
   check_local_basis(surface);
   check_bezier_elements(surface);
+  check_grids(surface);
   check_boundary(surface, layout);
   check_extraordinary_rings(surface);
   std::cout << layout.number_of_quads() << " quads -> " << surface.number_of_patches()
@@ -306,6 +357,9 @@ void test_directional_refinement()
     const auto r = refined.patch_origin(refined.patch_at(27, 0.25, 0.25));
     assert(r.u1 == (in_u ? 0.5 : 1) && r.v1 == (in_u ? 1 : 0.5));
     assert(largest_difference(surface, refined) < 1e-13);
+    // the functions have changed on the two halves, and two patches further at most
+    const std::size_t same = check_stamps(surface, refined);
+    assert(same < surface.number_of_patches() && same + 25 >= surface.number_of_patches());
   }
 }
 

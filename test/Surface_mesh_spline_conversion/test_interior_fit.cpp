@@ -11,6 +11,7 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 using namespace synthetic;
@@ -286,6 +287,44 @@ void test_local_fit()
   assert(std::abs(error - report.interior.max_deviation) < 1e-12 * d);
 }
 
+// Larger weights of the patches that violate a tolerance by little leave fewer of them; the errors are
+// those of a measurement from nothing, and the boundary stays where it is.
+void test_reweighted_fit()
+{
+  typedef SC::internal::Interior_samples<T_NURCC_surface, synthetic::Target> Samples;
+  typedef SC::internal::Interior_error<T_NURCC_surface, synthetic::Target> Errors;
+  const int n = 8;
+  const Input input(hill(), n, n, 4, jittered(n, n, 0.3));
+  const synthetic::Target& target = input.target();
+  T_NURCC_surface surface(input.layout());
+  SC::Conversion_report report;
+  const double d = target.diameter();
+  const auto np = params::interior_tolerance(d).boundary_tolerance(d);
+  assert(SC::fit_boundary(surface, target, report, np) == SC::Error_code::OK);
+  assert(SC::fit_interior(surface, target, report, np) == SC::Error_code::OK);
+  std::vector<bool> is_fixed(surface.number_of_control_points(), false);
+  for(std::size_t c = 0; c < surface.number_of_boundary_chains(); ++c)
+    for(std::size_t i : surface.boundary_curve(c).control_points)
+      is_fixed[i] = true;
+  std::vector<Point> before;
+  for(std::size_t i = 0; i < is_fixed.size(); ++i)
+    before.push_back(surface.control_point(i));
+
+  Samples samples(surface, target, nullptr);
+  std::unique_ptr<Errors> errors(new Errors(surface, target, samples, false, nullptr));
+  const double largest = errors->largest().error, tolerance = 0.7 * largest;
+  const std::size_t violations = errors->errors(tolerance).size();
+  assert(violations > 0);
+  SC::internal::Reweighted_fit<T_NURCC_surface, synthetic::Target>(
+    surface, target, samples, is_fixed, tolerance)(errors, 1e-6);
+  assert(errors->errors(tolerance).size() < violations && errors->largest().error < largest);
+  for(std::size_t i = 0; i < is_fixed.size(); ++i)
+    assert(!is_fixed[i] || surface.control_point(i) == before[i]);
+  const Samples again(surface, target, nullptr);
+  assert(std::abs(Errors(surface, target, again, false, nullptr).largest().error
+                  - errors->largest().error) < 1e-12 * d);
+}
+
 struct Reference_surface : Tensor_product_surface
 {
   explicit Reference_surface(const Layout& layout) : Tensor_product_surface(layout, 6, 6, false) {}
@@ -396,6 +435,7 @@ int main()
   test_improvement();
   test_coarsening();
   test_local_fit();
+  test_reweighted_fit();
   test_reprojection();
   test_corner();
   test_limits();

@@ -18,6 +18,7 @@
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/Interior_samples.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/Interior_system.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/Refitted_region.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/fitting/Reweighted_fit.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/boundary_tangency.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/corner_tangents.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/fit_parameters.h>
@@ -29,8 +30,6 @@
 
 #include <CGAL/Real_timer.h>
 #include <CGAL/number_utils.h>
-
-#include <Eigen/Core>
 
 #include <algorithm>
 #include <cstddef>
@@ -50,11 +49,9 @@ template <typename Surface, typename Target, typename Visitor>
 class Interior_fitter
 {
   typedef std::size_t size_type;
-  typedef typename Target::FT FT;
   typedef typename Surface::Point_3 Point_3;
   typedef Interior_samples<Surface, Target> Samples;
   typedef Interior_system<Samples> System;
-  typedef typename System::Points Points;
   typedef Interior_error<Surface, Target> Errors;
   typedef Crease_smoother<Surface, Target, System> Smoother;
   typedef typename Surface::Patch_split Patch_split;
@@ -256,20 +253,24 @@ private:
     const std::unique_ptr<Samples> previous = std::move(m_samples);
     const std::unique_ptr<Errors> previous_error = std::move(m_error);
     m_samples.reset(new Samples(m_surface, m_target, previous.get()));
-    const Error_code code = move_control_points();
+    std::vector<bool> is_fixed = boundary_control_points();
+    const Error_code code = move_control_points(is_fixed);
     if(code != Error_code::OK)
       return code;
     m_error.reset(new Errors(m_surface, m_target, *m_samples,
                              m_options.error_metric == Error_metric::PARAMETRIC,
                              previous_error.get()));
+    if(m_options.error_metric != Error_metric::PARAMETRIC) // the paper knows no weights of patches
+      Reweighted_fit<Surface, Target>(m_surface, m_target, *m_samples, is_fixed,
+                                      m_options.tolerance)(m_error, next_accuracy);
     m_largest = m_error->largest();
     return Error_code::OK;
   }
 
-  Error_code move_control_points()
+  // `is_fixed`: the control points of the boundary, and then all that shall stay where they are
+  Error_code move_control_points(std::vector<bool>& is_fixed)
   {
     Samples& samples = *m_samples;
-    std::vector<bool> is_fixed = boundary_control_points();
     Corner_tangents<Surface, Target>(m_surface, m_target)(is_fixed);
     Smoother smoother(m_surface, m_target);
     if(m_boundary_normals && !fit_tangency(is_fixed))
@@ -284,17 +285,21 @@ private:
     // in a part of the surface, patches that have not been split keep their targets
     if(region.is_whole())
       samples.reset_fit_targets();
-    bool is_solved = solve(system, first_accuracy);
+    bool is_solved = system.fit(m_surface, first_accuracy);
     for(size_type i = 0; is_solved && i < number_of_reprojections(); ++i)
     {
       if(!m_visitor.go_further())
         return Error_code::INTERRUPTED;
       Target_reprojection<Surface, Target>(m_target, samples)(region.patches());
-      is_solved = solve(system, next_accuracy);
+      is_solved = system.fit(m_surface, next_accuracy);
     }
     if(!is_solved)
       return fail(Error_code::SINGULAR_SYSTEM, "the control points could not be determined");
     smoother(system);
+    for(const std::vector<size_type>& group : smoother.patches_of_lines())
+      for(size_type p : group)
+        for(size_type i = 0; i < samples.number_of_functions(p); ++i)
+          is_fixed[samples.function(p, i)] = true;
     return Error_code::OK;
   }
 
@@ -305,7 +310,7 @@ private:
     std::iota(patches.begin(), patches.end(), size_type(0));
     m_samples->reset_fit_targets();
     const System system(*m_samples, is_fixed, patches);
-    if(!system.is_valid() || !solve(system, first_accuracy))
+    if(!system.is_valid() || !system.fit(m_surface, first_accuracy))
       return false;
     Boundary_tangency<Surface, Target> tangency(m_surface, m_target, m_boundary_normals);
     if(!tangency(is_fixed))
@@ -323,20 +328,6 @@ private:
       for(size_type i : m_surface.boundary_curve(c).control_points)
         result[i] = true;
     return result;
-  }
-
-  bool solve(const System& system, double accuracy)
-  {
-    const Eigen::Index n = static_cast<Eigen::Index>(m_surface.number_of_control_points());
-    Points points(n, 3);
-    for(Eigen::Index i = 0; i < n; ++i)
-      points.row(i) = to_eigen(m_surface.control_point(static_cast<size_type>(i))).transpose();
-    if(!system.solve(points, accuracy))
-      return false;
-    for(Eigen::Index i = 0; i < n; ++i)
-      m_surface.set_control_point(static_cast<size_type>(i),
-                                  Point_3(FT(points(i, 0)), FT(points(i, 1)), FT(points(i, 2))));
-    return true;
   }
 
   void record(double seconds)

@@ -76,6 +76,7 @@ public:
     for_each_index(m_number_of_patches, [&](size_type p)
       { m_grids[p] = is_known(p) ? previous->grid(m_previous[p]) : choose_grid(p); });
     number_samples();
+    m_factors.assign(m_number_of_patches, 1);
     make_stencils(previous);
     for_each_index(m_number_of_patches, [&](size_type p)
     {
@@ -125,6 +126,9 @@ public:
     return result;
   }
 
+  // multiplies the weights of a patch
+  void increase_weight(size_type patch, double factor) { m_factors[patch] *= factor; }
+
   // the trapezoidal rule: the target is only continuous (paper, section 3.3.1)
   double weight(size_type patch, size_type k) const
   {
@@ -133,8 +137,8 @@ public:
     const Grid& g = m_grids[patch];
     const auto& o = m_origins[patch];
     const double area = CGAL::to_double((o.u1 - o.u0) * (o.v1 - o.v0));
-    return area * end_weight(k % (g.u + 1), g.u) * end_weight(k / (g.u + 1), g.v)
-           / double(g.u * g.v);
+    return m_factors[patch] * area * end_weight(k % (g.u + 1), g.u)
+           * end_weight(k / (g.u + 1), g.v) / double(g.u * g.v);
   }
 
   // Error samples are numbered through all patches.
@@ -364,6 +368,7 @@ private:
   std::vector<size_type> m_previous; // patches
   std::vector<char> m_has_previous_functions;
   std::vector<Grid> m_grids;
+  std::vector<double> m_factors; // of the weights of the patches
   std::vector<size_type> m_stamps; // of the functions of the patches
   std::vector<std::shared_ptr<const Patch_stencils> > m_stencils;
   std::vector<size_type> m_first_fit_sample, m_first_error_sample; // of a patch

@@ -12,6 +12,7 @@
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
 #include <CGAL/Surface_mesh_spline_conversion/internal/for_each_index.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/to_eigen.h>
 
 #include <Eigen/Core>
 #include <Eigen/IterativeLinearSolvers>
@@ -67,8 +68,28 @@ public:
     return m_matrix.coeff((std::max)(row, column), (std::min)(row, column));
   }
 
-  // moves the control points to the least-squares fit of the targets; the remaining error is the
-  // given share of the present one
+  // moves the control points of the surface to the least-squares fit of the targets; the remaining
+  // error is the given share of the present one
+  template <typename Surface>
+  bool fit(Surface& surface, double relative_accuracy) const
+  {
+    typedef typename Surface::Point_3 Point_3;
+    typedef typename Surface::FT FT;
+    Points points(static_cast<Eigen::Index>(m_unknown.size()), 3);
+    for(size_type i = 0; i < m_unknown.size(); ++i)
+      points.row(static_cast<Eigen::Index>(i)) = to_eigen(surface.control_point(i)).transpose();
+    if(!solve(points, relative_accuracy))
+      return false;
+    for(size_type i = 0; i < m_unknown.size(); ++i)
+      if(m_unknown[i] != fixed)
+      {
+        const auto p = points.row(static_cast<Eigen::Index>(i));
+        surface.set_control_point(i, Point_3(FT(p[0]), FT(p[1]), FT(p[2])));
+      }
+    return true;
+  }
+
+  // does the same for the given control points
   bool solve(Points& control_points, double relative_accuracy) const
   {
     if(m_number_of_unknowns == 0)
@@ -94,6 +115,9 @@ private:
   // and is far below what the fit can resolve: the correction is solved for, so that it does not
   // pull the control points anywhere.
   static constexpr double relative_regularization = 1e-9;
+
+  // so many that the memory of a thread for the positions of rows is no burden
+  static constexpr size_type columns_at_once = 512;
 
   // a function among those of a patch
   struct Use
@@ -126,8 +150,13 @@ private:
         if(row(Use{p, i}) != fixed)
           uses[static_cast<size_type>(row(Use{p, i}))].push_back(Use{p, i});
     std::vector<Column> columns(uses.size());
-    for_each_index(columns.size(), [&](size_type c)
-      { columns[c] = make_column(int(c), uses[c], products); });
+    for_each_index((columns.size() + columns_at_once - 1) / columns_at_once, [&](size_type block)
+    {
+      std::vector<size_type> positions(columns.size(), 0);
+      const size_type end = (std::min)((block + 1) * columns_at_once, columns.size());
+      for(size_type c = block * columns_at_once; c < end; ++c)
+        columns[c] = make_column(int(c), uses[c], products, positions);
+    });
     set_matrix(columns);
   }
 
@@ -144,20 +173,28 @@ private:
     return values.transpose() * values;
   }
 
+  // `positions`: zeros for all rows, before and after
   Column make_column(int column, const std::vector<Use>& uses,
-                     const std::vector<Eigen::MatrixXd>& products) const
+                     const std::vector<Eigen::MatrixXd>& products,
+                     std::vector<size_type>& positions) const
   {
     Column result;
-    for_each_entry(column, uses, [&](int r, const Use&, size_type) { result.rows.push_back(r); });
+    for_each_entry(column, uses, [&](int r, const Use&, size_type)
+    {
+      if(positions[size_type(r)]++ == 0)
+        result.rows.push_back(r);
+    });
     std::sort(result.rows.begin(), result.rows.end());
-    result.rows.erase(std::unique(result.rows.begin(), result.rows.end()), result.rows.end());
+    for(size_type i = 0; i < result.rows.size(); ++i)
+      positions[size_type(result.rows[i])] = i;
     result.values.assign(result.rows.size(), 0);
     for_each_entry(column, uses, [&](int r, const Use& use, size_type i)
     {
-      const auto it = std::lower_bound(result.rows.begin(), result.rows.end(), r);
-      result.values[size_type(it - result.rows.begin())]
+      result.values[positions[size_type(r)]]
         += products[use.patch](Eigen::Index(i), Eigen::Index(use.function));
     });
+    for(int r : result.rows)
+      positions[size_type(r)] = 0;
     return result;
   }
 

@@ -50,6 +50,9 @@ public:
   const Place& place() const { return m_place; }
 
 private:
+  // steps that gain less than this share of the distance are not worth while
+  static constexpr double smallest_gain = 1e-3;
+
   Eigen::Vector3d point(const Place& p) const
   {
     return to_eigen(m_surface.position(p.patch, p.u, p.v));
@@ -66,7 +69,8 @@ private:
     return p;
   }
 
-  // a step from `start`; halved twice if it does not decrease the distance
+  // A step from `start`; halved twice if it does not decrease the distance. Returns `false` if
+  // another step would gain little.
   bool improve(const Place& start)
   {
     constexpr double largest_step = 0.25; // in quads
@@ -83,8 +87,12 @@ private:
     const Eigen::Matrix2d gram = tangents.transpose() * tangents;
     if(!(gram.determinant() > 0))
       return false;
-    Eigen::Vector2d step = gram.inverse() * (tangents.transpose() * difference);
+    const Eigen::Vector2d tangential = tangents.transpose() * difference;
+    Eigen::Vector2d step = gram.inverse() * tangential;
     if(!step.allFinite())
+      return false;
+    // the step removes this part of the squared distance, if the surface is flat
+    if(step.dot(tangential) < 2 * smallest_gain * difference.squaredNorm())
       return false;
     step = step.cwiseMax(-largest_step).cwiseMin(largest_step);
     return move(start, step) || move(start, step / 2) || move(start, step / 4);
@@ -92,8 +100,6 @@ private:
 
   bool move(const Place& start, const Eigen::Vector2d& step)
   {
-    // a step that gains less than this share of the distance is the last one
-    constexpr double smallest_gain = 1e-3;
     const Quad_point<FT> q = cross_sides(
       m_layout, Quad_point<FT>{start.quad, start.u + FT(step[0]), start.v + FT(step[1])});
     const Place next{m_surface.patch_at(q.quad, q.u, q.v), q.quad, q.u, q.v};

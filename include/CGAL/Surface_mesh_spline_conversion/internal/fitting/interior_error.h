@@ -65,7 +65,7 @@ public:
       m_control_points.push_back(to_eigen(surface.control_point(i)));
     m_is_kept.assign(samples.number_of_patches(), false);
     if(previous != nullptr)
-      find_kept_patches(*previous);
+      find_kept_patches([&](size_type p) { return has_previous_points(p, *previous); });
     const size_type n = samples.number_of_error_samples();
     m_points.resize(n);
     m_distances.resize(n);
@@ -78,7 +78,29 @@ public:
         make_bounds(p);
     });
     if(!is_parametric)
-      measure_vertices(previous);
+    {
+      m_nearest = nearest_samples();
+      m_errors_of_vertices.resize(m_nearest.size());
+      measure_vertices([&](size_type v) { return previous_error_of_vertex(v, previous); });
+    }
+  }
+
+  // measures anew what has changed since control points have moved
+  void update()
+  {
+    std::vector<Eigen::Vector3d> before(m_control_points.size());
+    before.swap(m_control_points);
+    for(size_type i = 0; i < before.size(); ++i)
+      m_control_points[i] = to_eigen(m_surface.control_point(i));
+    find_kept_patches([&](size_type p) { return has_points(p, before); });
+    for_each_index(m_is_kept.size(), [&](size_type p)
+    {
+      if(!m_is_kept[p])
+        make_bounds(p);
+    });
+    if(!m_is_parametric)
+      measure_vertices([this](size_type v) { return m_is_kept[place(m_nearest[v]).patch]
+                                                      ? m_errors_of_vertices[v] : unknown; });
   }
 
   // returns the largest distance
@@ -112,13 +134,29 @@ public:
   // should be split
   std::vector<Patch_split> violations(double tolerance)
   {
-    std::vector<char> is_split(m_samples.number_of_patches());
-    for_each_index(is_split.size(), [&](size_type p) { is_split[p] = is_violating(p, tolerance); });
     std::vector<size_type> patches;
-    for(size_type p = 0; p < is_split.size(); ++p)
-      if(is_split[p])
-        patches.push_back(p);
+    for(const Patch_error& e : errors(tolerance))
+      patches.push_back(e.patch);
     return splits(patches);
+  }
+
+  // the largest distance on a patch
+  struct Patch_error
+  {
+    size_type patch;
+    double error;
+  };
+
+  // returns the patches with a distance of at least `tolerance`
+  std::vector<Patch_error> errors(double tolerance)
+  {
+    std::vector<double> largest(m_samples.number_of_patches());
+    for_each_index(largest.size(), [&](size_type p) { largest[p] = error(p, tolerance); });
+    std::vector<Patch_error> result;
+    for(size_type p = 0; p < largest.size(); ++p)
+      if(largest[p] >= tolerance)
+        result.push_back(Patch_error{p, largest[p]});
+    return result;
   }
 
   // returns the patches with the points of the surface closest to `points`, and the directions in
@@ -161,6 +199,7 @@ private:
   static constexpr double directional_ratio = 5;
 
   static constexpr size_type none = static_cast<size_type>(-1);
+  static constexpr double unknown = -1; // a distance
 
   typename Samples::Place place(size_type i) const
   {
@@ -177,17 +216,15 @@ private:
     return m_distances[a] != m_distances[b] ? m_distances[a] > m_distances[b] : a < b;
   }
 
-  // Only samples whose bound violates the tolerance are measured, up to the first one that violates
-  // it.
-  bool is_violating(size_type patch, double tolerance)
+  // returns the largest distance on a patch, or zero if it is below the tolerance
+  double error(size_type patch, double tolerance)
   {
-    if(!m_is_parametric && m_vertex_errors[patch] >= tolerance)
-      return true;
+    double result = m_is_parametric ? 0 : m_vertex_errors[patch];
     const size_type end = m_samples.first_error_sample(patch + 1);
     for(size_type i = m_samples.first_error_sample(patch); i < end; ++i)
-      if(m_distances[i] >= tolerance && distance(i) >= tolerance)
-        return true;
-    return false;
+      if(m_distances[i] >= (std::max)(tolerance, result))
+        result = (std::max)(result, distance(i));
+    return result < tolerance ? 0 : result;
   }
 
   std::vector<typename Samples::Place> foot_places(const std::vector<Point_3>& points) const
@@ -326,11 +363,12 @@ private:
 
   // A patch is kept if its points are where they were, and those of its neighbours, on which closest
   // points may lie.
-  void find_kept_patches(const Interior_error& previous)
+  template <typename IsUnmoved>
+  void find_kept_patches(const IsUnmoved& is_unmoved)
   {
     std::vector<bool> is_near_change(m_control_points.size(), false);
     for(size_type p = 0; p < m_is_kept.size(); ++p)
-      if(!has_previous_points(p, previous))
+      if(!is_unmoved(p))
         for(size_type i = 0; i < m_samples.number_of_functions(p); ++i)
           is_near_change[m_samples.function(p, i)] = true;
     for(size_type p = 0; p < m_is_kept.size(); ++p)
@@ -344,12 +382,16 @@ private:
 
   bool has_previous_points(size_type patch, const Interior_error& previous) const
   {
-    if(!m_samples.has_previous_functions(patch))
-      return false;
+    return m_samples.has_previous_functions(patch) && has_points(patch, previous.m_control_points);
+  }
+
+  // are the control points that act on a patch those of `points`?
+  bool has_points(size_type patch, const std::vector<Eigen::Vector3d>& points) const
+  {
     for(size_type i = 0; i < m_samples.number_of_functions(patch); ++i)
     {
       const size_type c = m_samples.function(patch, i);
-      if(m_control_points[c] != previous.m_control_points[c])
+      if(m_control_points[c] != points[c])
         return false;
     }
     return true;
@@ -375,20 +417,29 @@ private:
     }
   }
 
-  void measure_vertices(const Interior_error* previous)
+  // returns the error of a vertex in the previous measurement, or `unknown`
+  double previous_error_of_vertex(size_type v, const Interior_error* previous) const
   {
+    const size_type i = m_nearest[v];
+    const bool is_known = m_is_kept[place(i).patch]
+                          && previous->m_nearest[v] == previous_sample(i, *previous);
+    return is_known ? previous->m_errors_of_vertices[v] : unknown;
+  }
+
+  // `known_error(v)` is `unknown` or the error of a vertex that need not be measured
+  template <typename KnownError>
+  void measure_vertices(const KnownError& known_error)
+  {
+    m_largest_of_vertices = Largest_error();
     m_vertex_errors.assign(m_samples.number_of_patches(), 0);
-    m_nearest = nearest_samples();
-    m_errors_of_vertices.assign(m_nearest.size(), 0);
     for_each_index(m_nearest.size(), [&](size_type v)
     {
       const size_type i = m_nearest[v];
       if(i == none || m_target.is_boundary_quad(place(i).quad))
         return;
-      const bool is_known = m_is_kept[place(i).patch]
-                            && previous->m_nearest[v] == previous_sample(i, *previous);
-      m_errors_of_vertices[v] = is_known ? previous->m_errors_of_vertices[v]
-                                         : distance_to_surface(to_eigen(m_target.mesh_vertex(v)), i);
+      const double known = known_error(v);
+      m_errors_of_vertices[v]
+        = known < 0 ? distance_to_surface(to_eigen(m_target.mesh_vertex(v)), i) : known;
     });
     for(size_type v = 0; v < m_nearest.size(); ++v)
     {
