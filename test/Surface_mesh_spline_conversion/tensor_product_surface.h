@@ -15,6 +15,7 @@ class Tensor_product_surface
 {
 public:
   typedef std::size_t size_type;
+  typedef double FT;
   typedef Point Point_3;
   struct Boundary_span { size_type chain; double x0, x1; };
   struct Patch_split { size_type patch; bool u, v; };
@@ -51,6 +52,9 @@ public:
             u().span_end(i) - x, v().span_end(j) - y};
   }
 
+  // all functions change with each refinement
+  size_type basis_stamp(size_type) const { return number_of_control_points(); }
+
   size_type patch_at(size_type quad, double x, double y) const
   {
     // the patch inside the quad
@@ -64,6 +68,7 @@ public:
   {
     const size_type i = p % u().number_of_spans(), j = p / u().number_of_spans();
     const size_type quad = patch_origin(p).quad;
+    out.clear();
     const auto a = u().values(i, quad % m_m + x), b = v().values(j, quad / m_m + y);
     for(size_type k = 0; k < 4; ++k)
       for(size_type l = 0; l < 4; ++l)
@@ -80,6 +85,16 @@ public:
   Point position(size_type p, double x, double y) const
   {
     return CGAL::ORIGIN + derivative(p, x, y, 0, 0);
+  }
+
+  void positions(size_type p, size_type nu, size_type nv, std::vector<Point>& out) const
+  {
+    const Patch_origin o = patch_origin(p);
+    out.clear();
+    for(size_type j = 0; j <= nv; ++j)
+      for(size_type i = 0; i <= nu; ++i)
+        out.push_back(position(p, o.u0 + (o.u1 - o.u0) * double(i) / double(nu),
+                               o.v0 + (o.v1 - o.v0) * double(j) / double(nv)));
   }
 
   Vector derivative(size_type p, double x, double y, int i, int j) const
