@@ -107,6 +107,14 @@ public:
     return m_functions[m_first_function[patch] + i];
   }
 
+  // returns the number of a control point among those that act on a patch
+  size_type local_index(size_type patch, size_type control_point) const
+  {
+    const auto first = m_functions.begin() + std::ptrdiff_t(m_first_function[patch]);
+    const auto last = m_functions.begin() + std::ptrdiff_t(m_first_function[patch + 1]);
+    return size_type(std::find(first, last, control_point) - first);
+  }
+
   // returns the values of the functions of a patch at fit sample `k`
   const double* values(size_type patch, size_type k) const
   {
