@@ -32,7 +32,8 @@ namespace internal {
 // its own.
 //
 // The third derivatives are differences of second ones between the four Gauss points of the
-// patch; S_uuu and S_vvv of a bicubic patch are exact.
+// patch; S_uuu and S_vvv of a bicubic patch are exact. A patch where functions act that vanish at all
+// samples has no energy: without them, it would depend on the origin.
 class Fairness_energy
 {
 public:
@@ -60,6 +61,7 @@ private:
   struct Second_derivatives
   {
     Eigen::RowVectorXd uu, vv;
+    bool is_complete; // do the samples see all functions?
   };
 
   template <typename Surface, typename Samples>
@@ -71,10 +73,15 @@ private:
     std::vector<typename Surface::Basis_function> functions;
     surface.basis(patch, o.u0 + FT(s) * (o.u1 - o.u0), o.v0 + FT(t) * (o.v1 - o.v0), 2, functions);
     const Eigen::Index n = Eigen::Index(samples.number_of_functions(patch));
-    Second_derivatives result{Eigen::RowVectorXd::Zero(n), Eigen::RowVectorXd::Zero(n)};
+    Second_derivatives result{Eigen::RowVectorXd::Zero(n), Eigen::RowVectorXd::Zero(n), true};
     for(const auto& f : functions)
     {
       const Eigen::Index i = Eigen::Index(samples.local_index(patch, f.control_point));
+      if(i == n)
+      {
+        result.is_complete = false;
+        break;
+      }
       result.uu[i] += f.value[3];
       result.vv[i] += f.value[5];
     }
@@ -91,11 +98,16 @@ private:
     const double weight = std::sqrt(width * height / 2); // of each of two samples
     const double per_u = weight / ((gauss[1] - gauss[0]) * width);
     const double per_v = weight / ((gauss[1] - gauss[0]) * height);
+    const Eigen::Index functions = Eigen::Index(samples.number_of_functions(patch));
     std::array<std::array<Second_derivatives, 2>, 2> at;
     for(size_type i = 0; i < 2; ++i)
       for(size_type j = 0; j < 2; ++j)
+      {
         at[i][j] = second_derivatives(surface, samples, patch, gauss[i], gauss[j]);
-    Eigen::MatrixXd result(8, Eigen::Index(samples.number_of_functions(patch)));
+        if(!at[i][j].is_complete)
+          return Eigen::MatrixXd(0, functions);
+      }
+    Eigen::MatrixXd result(8, functions);
     for(size_type k = 0; k < 2; ++k)
     {
       const Eigen::Index row = 4 * Eigen::Index(k);

@@ -107,7 +107,8 @@ public:
     return m_functions[m_first_function[patch] + i];
   }
 
-  // returns the number of a control point among those that act on a patch
+  // returns the number of a control point among those that act on a patch, or their number if it is
+  // none of them
   size_type local_index(size_type patch, size_type control_point) const
   {
     const auto first = m_functions.begin() + std::ptrdiff_t(m_first_function[patch]);
