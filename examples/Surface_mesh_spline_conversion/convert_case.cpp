@@ -198,6 +198,7 @@ Exit_code convert_and_write(const Options& options, const Case& input,
       .error_metric(resolution.error_metric)
       .maximum_number_of_patches(resolution.maximum_number_of_patches)
       .do_coarsen_patches(options.do_coarsen)
+      .do_fair_interior(options.do_fair)
       .do_certify_interior(options.do_certify)
       .boundary_tangency(normals)
       .vertex_is_constrained_map(input.vertex_is_corner_map())

@@ -85,7 +85,7 @@ else()
   expect(2 ${case}/mesh.off --residual ${case}/residual.step)
 endif()
 
-expect(0 ${case} ${tolerances} --quiet --coarsen --certify --report ${OUTPUT}/e.json)
+expect(0 ${case} ${tolerances} --quiet --coarsen --fair --certify --report ${OUTPUT}/e.json)
 file(READ ${OUTPUT}/e.json report)
 string(JSON certified_bound GET ${report} interior certified_bound)
 string(JSON delta GET ${report} delta)

@@ -34,6 +34,7 @@ struct Options
   std::string error_metric = "reprojected";
   bool do_merge = true;
   bool do_coarsen = false;
+  bool do_fair = false;
   bool do_certify = false;
   bool is_tangent = false;
   bool is_quiet = false;
@@ -63,6 +64,7 @@ inline const char* usage()
     "  --threads N        at most N threads (all cores; one if built without TBB)\n"
     "  --max-patches N    stop refining at this number of patches\n"
     "  --coarsen          look for a surface with fewer patches after the fit\n"
+    "  --fair             even out the curvature within the tolerances\n"
     "  --certify          prove a bound of the distance from the surface to the mesh\n"
     "  --error-metric M   parametric, reprojected (default), or hausdorff\n"
     "  --no-merge         one face per Bezier element in the STEP file\n"
@@ -132,6 +134,7 @@ inline std::string parse_options(const std::vector<std::string>& arguments, Opti
     {"--relative", [&options] { options.is_relative = true; }},
     {"--tangent", [&options] { options.is_tangent = true; }},
     {"--coarsen", [&options] { options.do_coarsen = true; }},
+    {"--fair", [&options] { options.do_fair = true; }},
     {"--certify", [&options] { options.do_certify = true; }},
     {"--no-merge", [&options] { options.do_merge = false; }},
     {"--quiet", [&options] { options.is_quiet = true; }},

@@ -124,6 +124,13 @@ mesh to T-NURCC surface conversion*, Computers & Graphics 82 (2019).
     \cgalParamType{`bool`}
     \cgalParamDefault{`false`}
   \cgalParamNEnd
+  \cgalParamNBegin{do_fair_interior}
+    \cgalParamDescription{whether, after the fit, the variation of the curvature is reduced as far as the
+                           interior tolerance and the normals allow. The patches stay. This takes about
+                           as long as the fit.}
+    \cgalParamType{`bool`}
+    \cgalParamDefault{`false`}
+  \cgalParamNEnd
   \cgalParamNBegin{do_certify_interior}
     \cgalParamDescription{whether an upper bound of the distance from the surfaces to the mesh is
                            proved in the end, see `bound_interior_deviation()`}

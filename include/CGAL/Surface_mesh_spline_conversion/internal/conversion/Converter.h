@@ -219,6 +219,8 @@ private:
       if(code != Error_code::OK || round == maximum_number_of_improvements
          || (deviation.interior_violations.empty() && deviation.normal_violations.empty()))
       {
+        if(code == Error_code::OK && measured == Error_code::OK && m_options.do_fair)
+          return make_fair(fitter, surface, component, network, part, deviation);
         warn_about_normals(deviation, part);
         return code == Error_code::OK ? measured : code;
       }
@@ -227,6 +229,37 @@ private:
         { return fitter.improve(deviation.interior_violations, deviation.normal_violations); });
     }
     return code;
+  }
+
+  // makes a surface that has met the tolerances fair, so that it still does; `deviation` is that of
+  // the surface before.
+  template <typename Fitter>
+  Error_code make_fair(Fitter& fitter, const Surface& surface, const Component& component,
+                       const Component_network& network, Conversion_report& part,
+                       Deviation<Kernel>& deviation)
+  {
+    constexpr int maximum_number_of_attempts = 4;
+    const Conversion_report before = part;
+    const Deviation<Kernel> deviation_before = deviation;
+    std::vector<Point_3> places;
+    for(int attempt = 0; attempt < maximum_number_of_attempts; ++attempt)
+    {
+      const Error_code code
+        = run("fair_interior", part, [&]() { return fitter.make_fair(places); });
+      if(!is_surface(code))
+        return code;
+      const Error_code measured = run("measure_deviation", part, [&]()
+        { return measure(surface, component, network, part, deviation); });
+      places = deviation.interior_violations;
+      places.insert(places.end(), deviation.normal_violations.begin(),
+                    deviation.normal_violations.end());
+      if(places.empty() && measured == Error_code::OK)
+        return code;
+    }
+    fitter.restore_fit();
+    part = before;
+    warn_about_normals(deviation_before, part);
+    return Error_code::OK;
   }
 
   // measures the surface as it leaves for a CAD system, caps included.

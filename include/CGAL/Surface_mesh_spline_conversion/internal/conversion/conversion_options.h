@@ -44,6 +44,7 @@ struct Conversion_options
   Error_metric error_metric;
   std::size_t maximum_number_of_patches;
   bool do_coarsen;
+  bool do_fair;
   bool do_certify;
 };
 
@@ -97,6 +98,8 @@ Conversion_options conversion_options(const NamedParameters& np, double diameter
                                           Error_metric::REPROJECTED);
   options.maximum_number_of_patches = maximum_number_of_patches(np);
   options.do_coarsen = do_coarsen(np);
+  options.do_fair
+    = choose_parameter(get_parameter(np, internal_np::do_fair_interior), false);
   options.do_certify
     = choose_parameter(get_parameter(np, internal_np::do_certify_interior), false);
   report.boundary_tolerance = options.boundary_tolerance;

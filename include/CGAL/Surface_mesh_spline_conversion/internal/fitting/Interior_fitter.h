@@ -15,6 +15,7 @@
 #include <CGAL/Surface_mesh_spline_conversion/Error_code.h>
 #include <CGAL/Surface_mesh_spline_conversion/Error_metric.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/Boundary_fitter.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/fitting/Interior_fairing.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/Interior_samples.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/Interior_system.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/Refitted_region.h>
@@ -53,6 +54,7 @@ class Interior_fitter
   typedef Interior_samples<Surface, Target> Samples;
   typedef Interior_system<Samples> System;
   typedef Interior_error<Surface, Target> Errors;
+  typedef Interior_fairing<Surface, Target> Fairing;
   typedef Crease_smoother<Surface, Target, System> Smoother;
   typedef typename Surface::Patch_split Patch_split;
 
@@ -108,6 +110,24 @@ public:
     ++m_iteration;
     return (*this)();
   }
+
+  // Goes on after a fit that has met the tolerances: makes the surface fair. Each call keeps the
+  // fit around places where someone else has found the fair surface to be not as good.
+  Error_code make_fair(const std::vector<Point_3>& places)
+  {
+    if(!m_fairing)
+      m_fairing.reset(new Fairing(m_surface, m_target, *m_samples, *m_error, m_is_fixed,
+                                  m_options.tolerance));
+    else
+      m_fairing->hold_at(places);
+    if(!m_visitor.go_further())
+      return Error_code::INTERRUPTED;
+    (*m_fairing)();
+    return m_boundary_code;
+  }
+
+  // takes the fit back, as if it had not been made fair
+  void restore_fit() { m_fairing->restore(); }
 
 private:
   // what describes the surface at the end of a fit
@@ -250,6 +270,7 @@ private:
   {
     if(!m_visitor.go_further())
       return Error_code::INTERRUPTED;
+    m_fairing.reset();
     const std::unique_ptr<Samples> previous = std::move(m_samples);
     const std::unique_ptr<Errors> previous_error = std::move(m_error);
     m_samples.reset(new Samples(m_surface, m_target, previous.get()));
@@ -276,6 +297,7 @@ private:
     if(m_boundary_normals && !fit_tangency(is_fixed))
       return fail(Error_code::SINGULAR_SYSTEM, "the second row of control points could not be "
                   "determined");
+    m_is_fixed = is_fixed;
     // with normals, the second row of control points has moved along the whole boundary
     const Refitted_region<Samples> region(samples, is_fixed, smoother.patches_of_lines(),
                                           bool(m_boundary_normals));
@@ -355,6 +377,8 @@ private:
   Boundary_fitter<Surface, Target, Visitor> m_boundary_fitter;
   std::unique_ptr<Samples> m_samples; // at the last refinement level
   std::unique_ptr<Errors> m_error;    // of the last fit
+  std::vector<bool> m_is_fixed;       // the control points that the last fit could not move
+  std::unique_ptr<Fairing> m_fairing; // of the last fit
   Largest_error m_largest;
   Error_code m_boundary_code = Error_code::OK; // of the last fit of the boundary
   size_type m_iteration = 0;

@@ -109,6 +109,14 @@ public:
     return m_stencils[patch]->functions[i];
   }
 
+  // returns the number of a control point among those that act on a patch, or their number if it is
+  // none of them
+  size_type local_index(size_type patch, size_type control_point) const
+  {
+    const std::vector<size_type>& functions = m_stencils[patch]->functions;
+    return size_type(std::find(functions.begin(), functions.end(), control_point) - functions.begin());
+  }
+
   // returns the values of the functions of a patch at fit sample `k`
   const double* values(size_type patch, size_type k) const
   {

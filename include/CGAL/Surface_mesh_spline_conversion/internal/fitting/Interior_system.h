@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
+#include <CGAL/Surface_mesh_spline_conversion/internal/fitting/Fairness_energy.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/for_each_index.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/to_eigen.h>
 
@@ -40,10 +41,11 @@ public:
 
   static constexpr int fixed = -1;
 
-  // `patches`: all on which a control point acts that is not fixed
+  // `patches`: all on which a control point acts that is not fixed.
+  // `energy`: is added to the squared error, unless it is a null pointer
   Interior_system(const Samples& samples, const std::vector<bool>& is_fixed,
-                  const std::vector<size_type>& patches)
-    : m_samples(samples), m_patches(patches), m_unknown(is_fixed.size(), fixed)
+                  const std::vector<size_type>& patches, const Fairness_energy* energy = nullptr)
+    : m_samples(samples), m_energy(energy), m_patches(patches), m_unknown(is_fixed.size(), fixed)
   {
     for(size_type i = 0; i < is_fixed.size(); ++i)
       if(!is_fixed[i])
@@ -170,7 +172,13 @@ private:
       values.row(k) = std::sqrt(m_samples.weight(patch, size_type(k)))
                       * Eigen::Map<const Eigen::RowVectorXd>(
                           m_samples.values(patch, size_type(k)), n);
-    return values.transpose() * values;
+    Eigen::MatrixXd result = values.transpose() * values;
+    if(m_energy != nullptr)
+    {
+      const Eigen::MatrixXd& derivatives = m_energy->derivatives(patch);
+      result += m_energy->weight(patch) * derivatives.transpose() * derivatives;
+    }
+    return result;
   }
 
   // `positions`: zeros for all rows, before and after
@@ -290,10 +298,16 @@ private:
           * (m_samples.fit_target(patch, k).transpose() - values.transpose() * points);
       result.noalias() += values * difference;
     }
+    if(m_energy != nullptr)
+    {
+      const Eigen::MatrixXd& derivatives = m_energy->derivatives(patch);
+      result -= m_energy->weight(patch) * (derivatives.transpose() * (derivatives * points));
+    }
     return result;
   }
 
   const Samples& m_samples;
+  const Fairness_energy* m_energy;
   std::vector<size_type> m_patches;
   std::vector<int> m_unknown; // per control point
   int m_number_of_unknowns = 0;
