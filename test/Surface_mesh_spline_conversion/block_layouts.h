@@ -123,6 +123,14 @@ inline Blocks cube_blocks(bool is_open)
   return blocks;
 }
 
+// a tube: the sides of the cube [-1,1]^3, without bottom and top
+inline Blocks tube_blocks()
+{
+  Blocks blocks = cube_blocks(true);
+  blocks.pop_back();
+  return blocks;
+}
+
 // a regular polygon with n corners, cut to n blocks that meet at the center
 inline Blocks polygon_blocks(int n)
 {

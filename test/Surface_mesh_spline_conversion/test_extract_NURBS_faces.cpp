@@ -26,6 +26,12 @@ Point_3 on_sphere(double x, double y, double z)
   return Point_3(RADIUS * x / length, RADIUS * y / length, RADIUS * z / length);
 }
 
+Point_3 on_cylinder(double x, double y, double z)
+{
+  const double length = std::sqrt(x * x + y * y);
+  return Point_3(RADIUS * x / length, RADIUS * y / length, RADIUS * z);
+}
+
 Point_3 on_hill(double x, double y, double)
 {
   return Point_3(RADIUS * x + std::sin(3 * y) / 2, RADIUS * y, 3 * std::cos(2 * x) * std::cos(1.5 * y));
@@ -285,6 +291,8 @@ int main()
          block_layout<K>(polygon_blocks(n), (n < 7) ? 1 : 2, on_hill), 1, 2 * n);
   test("refined polygon 5", block_layout<K>(polygon_blocks(5), 3, on_hill), 1, -1, 0, 3);
   test("refined cup", block_layout<K>(cube_blocks(true), 4, on_sphere), 1, -1, 0, 3);
+  test("tube", block_layout<K>(tube_blocks(), 3, on_cylinder), 0, -1);
+  test("refined tube", block_layout<K>(tube_blocks(), 4, on_cylinder), 0, -1, 0, 3);
   for(int m : {1, 2, 3})
     test_lines_out_of_the_tangent_plane(m);
   test_boundary_vertices();

@@ -29,6 +29,7 @@ struct Options
   std::string preset = "medium";
   bool is_relative = false;
   std::string output, report, history, vtk, pictures, stitched, residual;
+  std::size_t stitching_seconds = 600; // many times what a thousand faces take
   std::size_t threads = 0; // as many as the machine offers
   std::size_t maximum_number_of_patches = 200000; // the default of the library
   std::string error_metric = "reprojected";
@@ -58,6 +59,7 @@ inline const char* usage()
     "  --vtk F.vtu        write the surface as Bezier cells\n"
     "  --pictures DIR     draw layout, patches, deviation, and zebra stripes\n"
     "  --stitched F.step  stitch with the residual model to a solid (or F.brep)\n"
+    "  --stitch-limit S   give up stitching after S seconds (600)\n"
     "  --residual F.step  the residual model: that of a mesh, or instead of that of the case;\n"
     "                     a mesh gets the curves of its free edges\n"
     "  --tangent          make the surface tangent to the faces of the residual model\n"
@@ -125,6 +127,7 @@ inline std::string parse_options(const std::vector<std::string>& arguments, Opti
     {"--vtk", path(options.vtk)},
     {"--pictures", path(options.pictures)},
     {"--stitched", path(options.stitched)},
+    {"--stitch-limit", count(options.stitching_seconds)},
     {"--residual", path(options.residual)},
     {"--threads", count(options.threads)},
     {"--max-patches", count(options.maximum_number_of_patches)},

@@ -7,12 +7,15 @@
 #include <CGAL/Surface_mesh_spline_conversion/associate_boundary_with_BRep.h>
 #include <CGAL/Surface_mesh_spline_conversion/stitch_with_BRep.h>
 #include <CGAL/Surface_mesh_spline_conversion/IO/BRep.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/open_cascade/run_in_child_process.h>
 
 #include <boost/property_map/property_map.hpp>
 
 #include <Standard_Failure.hxx>
 
 #include <algorithm>
+#include <cstdio>
+#include <cstring>
 #include <map>
 #include <memory>
 #include <utility>
@@ -36,6 +39,45 @@ double millimetres(const std::string& unit)
   return (length == lengths.end()) ? 1 : length->second;
 }
 
+// calls `f` for all figures of a report that are numbers
+template <typename Figures, typename Function>
+void for_each_figure(Figures& r, const Function& f)
+{
+  for(auto* n : {&r.solids, &r.shells, &r.faces, &r.free_edges, &r.unmatched_edges,
+                 &r.multiple_edges})
+    f(*n);
+  f(r.is_valid);
+  for(auto* x : {&r.edge_distance, &r.edge_deviation, &r.edge_tolerance, &r.vertex_tolerance,
+                 &r.residual_tolerance, &r.volume})
+    f(*x);
+}
+
+// The bytes that the process of the stitching sends: figures, length of the name of the method, this
+// name, and the message.
+std::string packed(const Report& report, const std::string& message)
+{
+  std::string bytes;
+  const auto append = [&bytes](const auto& value)
+  { bytes.append(reinterpret_cast<const char*>(&value), sizeof value); };
+  for_each_figure(report, append);
+  append(report.method.size());
+  return bytes + report.method + message;
+}
+
+void unpack(const std::string& bytes, Report& report, std::string& message)
+{
+  std::size_t at = 0, length = 0;
+  const auto take = [&bytes, &at](auto& value)
+  {
+    std::memcpy(&value, bytes.data() + at, sizeof value);
+    at += sizeof value;
+  };
+  for_each_figure(report, take);
+  take(length);
+  report.method = bytes.substr(at, length);
+  message = bytes.substr(at + length);
+}
+
 std::string stitch(const Brep_shell& shell, const Stitching_task& task, Report& report)
 {
   const double scale = millimetres(task.unit);
@@ -43,8 +85,7 @@ std::string stitch(const Brep_shell& shell, const Stitching_task& task, Report& 
   std::string message;
   if(!CGAL::IO::read_BRep(task.residual, residual, message))
     return message;
-  SC::stitch_with_BRep(shell, residual, scale * task.tolerance,
-                                                         result, report, scale);
+  SC::stitch_with_BRep(shell, residual, scale * task.tolerance, result, report, scale);
   if(!CGAL::IO::write_BRep(task.output, result, task.unit))
     return task.output + " cannot be written";
   return std::string();
@@ -131,12 +172,36 @@ std::string read_normals(const std::string& residual, const std::string& unit,
 
 std::string stitch_and_write(const Brep_shell& shell, const Stitching_task& task, Report& report)
 {
-  try
+  std::string bytes, message;
+  const SC::internal::Child_end end = SC::internal::run_in_child_process([&]
   {
-    return stitch(shell, task, report);
-  }
-  catch(const Standard_Failure& failure)
+    Report figures;
+    try
+    {
+      const std::string error = stitch(shell, task, figures);
+      return packed(figures, error);
+    }
+    catch(const Standard_Failure& failure)
+    {
+      return packed(figures, failure_message(failure));
+    }
+  }, static_cast<unsigned int>(task.seconds), bytes);
+  switch(end)
   {
-    return failure_message(failure);
+    case SC::internal::Child_end::NORMAL:
+      unpack(bytes, report, message);
+      return message;
+    case SC::internal::Child_end::CRASHED:
+      message = "stitching: Open CASCADE crashed";
+      break;
+    case SC::internal::Child_end::TIMED_OUT:
+      message = "stitching: Open CASCADE did not end in " + std::to_string(task.seconds)
+              + " seconds";
+      break;
+    case SC::internal::Child_end::NOT_STARTED:
+      message = "stitching: no process could be started";
+      break;
   }
+  std::remove(task.output.c_str()); // it is incomplete, or of an earlier run
+  return message + "; there is no stitched model, the surface itself is not affected";
 }

@@ -10,6 +10,7 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <vector>
@@ -32,6 +33,7 @@ struct Stitching_task
   std::string output;   // file of the solid
   std::string unit;     // of the shell and of the output
   double tolerance;     // largest distance of what is joined, in this unit
+  std::size_t seconds;  // when to give up
 };
 
 #ifdef CGAL_SMSC_USE_OPENCASCADE
@@ -48,7 +50,8 @@ std::string associate_with_residual(const Brep_mesh& mesh, const std::string& re
 std::string read_normals(const std::string& residual, const std::string& unit,
                          Normal_function& normal);
 
-// Returns what prevented the output from being written, or nothing.
+// Stitches in a process of its own, so that a crash or an endless loop of Open CASCADE only loses
+// the output. Returns what prevented the output from being written, or nothing.
 std::string stitch_and_write(const Brep_shell& shell, const Stitching_task& task,
                              CGAL::Surface_mesh_spline_conversion::Stitching_report& report);
 

@@ -133,11 +133,13 @@ bool write_stitched(const Options& options, const SC::NURBS_shell_3<K>& shell,
   CGAL::Real_timer timer;
   timer.start();
   const std::string error = stitch_and_write(
-    shell, {residual, options.stitched, unit, 2 * closeness}, report.stitching);
+    shell, {residual, options.stitched, unit, 2 * closeness, options.stitching_seconds},
+    report.stitching);
   report.add_time("stitch", timer.time());
   if(!error.empty())
   {
     std::fprintf(stderr, "convert_case: %s\n", error.c_str());
+    report.warnings.push_back(error);
     return false;
   }
   const std::string warning = stitching_warning(report.stitching);
@@ -179,7 +181,7 @@ bool write_faces(const Options& options, const Network& network,
   if(!options.vtk.empty())
     is_written = check(CGAL::IO::write_VTU(options.vtk, shell), options.vtk) && is_written;
   report.add_time("export", timer.time());
-  // Open CASCADE may crash: what is known must be on the disk then
+  // stitching may take long: what is known should be on the disk before
   is_written = write_report(options, report) && is_written;
   return write_stitched(options, shell, residual, information.unit, closeness, report)
       && is_written;

@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
+#include <CGAL/Surface_mesh_spline_conversion/internal/open_cascade/run_in_child_process.h>
 #include <CGAL/Surface_mesh_spline_conversion/measure_BRep.h>
 
 #include <BRepAlgoAPI_Common.hxx>
@@ -29,15 +30,10 @@
 #include <TopTools_ListOfShape.hxx>
 
 #include <cmath>
-#include <cstdlib>
+#include <cstring>
 #include <functional>
 #include <limits>
 #include <string>
-#include <type_traits>
-
-#include <signal.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 namespace CGAL {
 namespace Surface_mesh_spline_conversion {
@@ -291,36 +287,24 @@ inline BRep_operation_result try_BRep_operation(const TopoDS_Shape& shape,
                                                 BRep_operation operation, double size,
                                                 unsigned int seconds = 120)
 {
-  const std::size_t length_of_status = 32;
-  struct Message
+  std::string bytes; // the volume, and the status
+  const internal::Child_end end = internal::run_in_child_process([&]
   {
-    char status[32];
-    double volume;
-  } message = {"", 0};
-  static_assert(std::is_trivially_copyable<Message>::value, "it is sent as bytes");
-  int ends[2];
-  if(pipe(ends) != 0)
-    return {"not done"};
-  const pid_t child = fork();
-  if(child == 0)
+    const BRep_operation_result r = internal::BRep_operation_trial(shape, size)(operation);
+    return std::string(reinterpret_cast<const char*>(&r.volume), sizeof r.volume) + r.status;
+  }, seconds, bytes);
+  BRep_operation_result result;
+  switch(end)
   {
-    alarm(seconds);
-    const BRep_operation_result result = internal::BRep_operation_trial(shape, size)(operation);
-    result.status.copy(message.status, length_of_status - 1);
-    message.volume = result.volume;
-    const bool is_sent = ::write(ends[1], &message, sizeof message) == ssize_t(sizeof message);
-    _exit(is_sent ? EXIT_SUCCESS : EXIT_FAILURE);
+    case internal::Child_end::NORMAL:
+      std::memcpy(&result.volume, bytes.data(), sizeof result.volume);
+      result.status = bytes.substr(sizeof result.volume);
+      break;
+    case internal::Child_end::CRASHED: result.status = "crashed"; break;
+    case internal::Child_end::TIMED_OUT: result.status = "timed out"; break;
+    case internal::Child_end::NOT_STARTED: result.status = "not done"; break;
   }
-  close(ends[1]);
-  const bool is_received
-    = child > 0 && ::read(ends[0], &message, sizeof message) == ssize_t(sizeof message);
-  close(ends[0]);
-  int end = 0;
-  if(child > 0)
-    waitpid(child, &end, 0);
-  if(is_received)
-    return {message.status, message.volume};
-  return {(WIFSIGNALED(end) && WTERMSIG(end) == SIGALRM) ? "timed out" : "crashed"};
+  return result;
 }
 
 } // namespace Surface_mesh_spline_conversion

@@ -12,12 +12,13 @@
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/Cell_complex.h>
-#include <CGAL/Surface_mesh_spline_conversion/internal/export/blossoms.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/export/is_smooth_segment.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <map>
 #include <numeric>
 #include <utility>
@@ -43,37 +44,33 @@ struct Cell_rectangle
 
 /// Greedy partition of a cell complex into rectangles of cells that join with C2 continuity, so that
 /// each is one tensor product B-spline. A rectangle grows by whole strips; it may run across layout
-/// quads, but never touches itself: kernels then need no seam.
+/// quads, but never touches itself: kernels then need no seam. As knot lines run through the whole
+/// face, a strip of cells of other sizes costs control points: it stays apart if that is more than it
+/// would cost as a face of its own.
 class Cell_merger
 {
 public:
-  /// how many spans a face may have for each of its cells, as knot lines run through the whole face
-  static constexpr std::size_t SPANS_PER_CELL = 2;
+  /// what a face costs beside its control points, in records of a file of the size of a point: loop,
+  /// edges with their ends, and vertices
+  static constexpr double POINTS_PER_FACE = 20;
 
   /// how often the width of a strip is enlarged to a cell that reaches further
   static constexpr int MAXIMUM_NUMBER_OF_ENLARGEMENTS = 4;
 
   /// two pieces are C2 if their blossoms agree to `tolerance`
   Cell_merger(const Cell_complex& complex, double tolerance)
-    : m_complex(complex), m_tolerance(tolerance), m_face_of_cell(complex.cells().size(), NO_INDEX),
+    : m_complex(complex), m_tolerance(tolerance),
       m_strip_of_cell(complex.cells().size(), 0), m_smooth(complex.segments().size(), UNKNOWN)
   {}
 
   /// returns the rectangles; without `do_merge`, each cell is one, but beside creases
   std::vector<Cell_rectangle> operator()(bool do_merge)
   {
-    std::vector<Cell_rectangle> faces;
-    for(std::size_t seed : seeds())
-    {
-      if(m_face_of_cell[seed] != NO_INDEX || m_complex.cells()[seed].crease != NO_INDEX)
-        continue;
-      m_face_of_cell[seed] = faces.size();
-      faces.push_back(single_cell(seed));
-      if(do_merge && m_complex.cells()[seed].cap == NO_INDEX)
-        grow(faces.back(), faces.size() - 1);
-    }
-    append_crease_faces(faces);
-    return faces;
+    if(!do_merge)
+      return partition(Growth::NONE);
+    std::vector<Cell_rectangle> in_turn = partition(Growth::IN_TURN);
+    std::vector<Cell_rectangle> by_saving = partition(Growth::BY_SAVING);
+    return cost(by_saving) < cost(in_turn) ? by_saving : in_turn;
   }
 
   /// the rectangle of a cell in the coordinates of its face
@@ -113,12 +110,46 @@ public:
   bool is_smooth(std::size_t segment)
   {
     if(m_smooth[segment] == UNKNOWN)
-      m_smooth[segment] = compute_smoothness(m_complex.segments()[segment]) ? YES : NO;
+      m_smooth[segment] = is_smooth_segment(m_complex, segment, m_tolerance) ? YES : NO;
     return m_smooth[segment] == YES;
   }
 
 private:
   enum Smoothness : char { UNKNOWN, YES, NO };
+
+  // where a rectangle grows next: on the sides in turn, or where a strip saves most; neither gives
+  // the better partition of all surfaces
+  enum class Growth
+  {
+    NONE,
+    IN_TURN,
+    BY_SAVING
+  };
+
+  std::vector<Cell_rectangle> partition(Growth growth)
+  {
+    m_face_of_cell.assign(m_complex.cells().size(), NO_INDEX);
+    std::vector<Cell_rectangle> faces;
+    for(std::size_t seed : seeds())
+    {
+      if(m_face_of_cell[seed] != NO_INDEX || m_complex.cells()[seed].crease != NO_INDEX)
+        continue;
+      m_face_of_cell[seed] = faces.size();
+      faces.push_back(growth != Growth::NONE && m_complex.cells()[seed].cap == NO_INDEX
+                      ? grown(seed, faces.size(), growth) : single_cell(seed));
+    }
+    append_crease_faces(faces);
+    return faces;
+  }
+
+  double cost(const std::vector<Cell_rectangle>& faces) const
+  {
+    double sum = 0;
+    for(const Cell_rectangle& face : faces)
+      sum += POINTS_PER_FACE
+           + double(breakpoints(face, 0).size() + 2) * double(breakpoints(face, 1).size() + 2);
+    return sum;
+  }
 
   // large cells first, so that small ones do not cut them up
   std::vector<std::size_t> seeds() const
@@ -186,14 +217,99 @@ private:
     return {m_complex.across(use).cell, placed.frame.after(m_complex.frame_across_segment(use))};
   }
 
-  void grow(Cell_rectangle& face, std::size_t index)
+  // a rectangle of cells with what is needed to join it with another
+  struct Block
   {
-    for(int side = 0, failures = 0; failures < 4; side = (side + 1) & 3)
-      failures = extend(face, index, side) ? 0 : failures + 1;
+    Cell_rectangle cells;
+    std::array<std::vector<std::int64_t>, 2> breaks;
+    std::array<std::vector<Placed_cell>, 4> rim; // the cells along each side
+
+    // of the B-spline, whose knots are simple inside
+    double number_of_points() const { return double(breaks[0].size() + 2) * (breaks[1].size() + 2); }
+  };
+
+  Block block(Cell_rectangle cells) const
+  {
+    Block result;
+    for(int axis = 0; axis < 2; ++axis)
+      result.breaks[axis] = breakpoints(cells, axis);
+    for(const Placed_cell& placed : cells.cells)
+      for(int side = 0; side < 4; ++side)
+        if(level(image(placed), side) == level(cells.bounds, side))
+          result.rim[side].push_back(placed);
+    result.cells = std::move(cells);
+    return result;
   }
 
-  // adds a strip of cells along a side of the face, if there is one
-  bool extend(Cell_rectangle& face, std::size_t index, int side)
+  static std::vector<std::int64_t> united(const std::vector<std::int64_t>& a,
+                                          const std::vector<std::int64_t>& b)
+  {
+    std::vector<std::int64_t> result;
+    std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(result));
+    return result;
+  }
+
+  // the points of a face and of a strip along a side of it, each with its own copy of their common
+  // edge, less those of one face for both
+  static double saving(const Block& face, const Block& strip, int side)
+  {
+    double joined = 1;
+    for(int axis = 0; axis < 2; ++axis)
+      joined *= double(united(face.breaks[axis], strip.breaks[axis]).size() + 2);
+    return face.number_of_points() + strip.number_of_points()
+         + double(strip.breaks[side & 1].size() + 2) + POINTS_PER_FACE - joined;
+  }
+
+  static void join(Block& face, const Block& strip, int side)
+  {
+    auto append = [](const std::vector<Placed_cell>& from, std::vector<Placed_cell>& to)
+    { to.insert(to.end(), from.begin(), from.end()); };
+    append(strip.cells.cells, face.cells.cells);
+    for(int axis = 0; axis < 2; ++axis)
+    {
+      face.breaks[axis] = united(face.breaks[axis], strip.breaks[axis]);
+      Tick_rectangle& bounds = face.cells.bounds;
+      bounds.low[axis] = (std::min)(bounds.low[axis], strip.cells.bounds.low[axis]);
+      bounds.high[axis] = (std::max)(bounds.high[axis], strip.cells.bounds.high[axis]);
+    }
+    face.rim[side] = strip.rim[side];
+    append(strip.rim[(side + 1) & 3], face.rim[(side + 1) & 3]);
+    append(strip.rim[(side + 3) & 3], face.rim[(side + 3) & 3]);
+  }
+
+  // the face that grows from a cell
+  Cell_rectangle grown(std::size_t seed, std::size_t index, Growth growth)
+  {
+    Block face = block(single_cell(seed));
+    for(int next = 0;;)
+    {
+      Block best;
+      int best_side = -1;
+      double best_saving = 0;
+      for(int i = 0; i < 4 && (best_side < 0 || growth == Growth::BY_SAVING); ++i)
+      {
+        const int side = (next + i) & 3;
+        Block strip;
+        if(!find_strip(face, index, side, strip))
+          continue;
+        const double s = saving(face, strip, side);
+        if(s < best_saving || (s == best_saving && best_side >= 0))
+          continue;
+        best = std::move(strip);
+        best_side = side;
+        best_saving = s;
+      }
+      if(best_side < 0)
+        return std::move(face.cells);
+      for(const Placed_cell& placed : best.cells.cells)
+        m_face_of_cell[placed.cell] = index;
+      join(face, best, best_side);
+      next = (best_side + 1) & 3;
+    }
+  }
+
+  // finds a strip of cells along a side of the face, with which it does not touch itself
+  bool find_strip(const Block& face, std::size_t index, int side, Block& result)
   {
     std::vector<Placed_cell> first;
     if(!first_layer(face, side, first))
@@ -204,11 +320,14 @@ private:
     for(int i = 0; i < MAXIMUM_NUMBER_OF_ENLARGEMENTS; ++i)
     {
       std::vector<Placed_cell> strip;
-      const std::int64_t required = fill_strip(face, side, width, first, strip);
+      const std::int64_t required = fill_strip(face.cells, side, width, first, strip);
       if(required < 0)
         return false;
       if(required == width)
-        return accept(face, index, side, width, strip);
+      {
+        result = block({std::move(strip), strip_bounds(face.cells.bounds, side, width)});
+        return !touches_itself(face, result, index, side);
+      }
       width = required;
     }
     return false;
@@ -221,19 +340,15 @@ private:
         && m_complex.cells()[cell].crease == NO_INDEX;
   }
 
-  bool first_layer(const Cell_rectangle& face, int side, std::vector<Placed_cell>& first)
+  bool first_layer(const Block& face, int side, std::vector<Placed_cell>& first)
   {
-    for(const Placed_cell& placed : face.cells)
-    {
-      if(level(image(placed), side) != level(face.bounds, side))
-        continue;
+    for(const Placed_cell& placed : face.rim[side])
       for(const auto& use : m_complex.uses(placed.cell, cell_side(placed, side)))
       {
         if(!is_free(m_complex.across(use).cell) || !is_smooth(use.segment))
           return false;
         first.push_back(placed_across(placed, use));
       }
-    }
     return true;
   }
 
@@ -323,78 +438,27 @@ private:
     return false;
   }
 
-  bool accept(Cell_rectangle& face, std::size_t index, int side, std::int64_t width,
-              const std::vector<Placed_cell>& strip)
-  {
-    Cell_rectangle grown = face;
-    grown.cells.insert(grown.cells.end(), strip.begin(), strip.end());
-    const Tick_rectangle added = strip_bounds(face.bounds, side, width);
-    for(int axis = 0; axis < 2; ++axis)
-    {
-      grown.bounds.low[axis] = (std::min)(face.bounds.low[axis], added.low[axis]);
-      grown.bounds.high[axis] = (std::max)(face.bounds.high[axis], added.high[axis]);
-    }
-    const std::size_t spans
-      = (breakpoints(grown, 0).size() - 1) * (breakpoints(grown, 1).size() - 1);
-    if(spans > SPANS_PER_CELL * grown.cells.size() || touches_itself(grown, index))
-      return false;
-    for(const Placed_cell& placed : strip)
-      m_face_of_cell[placed.cell] = index;
-    face = std::move(grown);
-    return true;
-  }
-
-  // does the outline pass a vertex twice, or run along cells of the face itself?
-  bool touches_itself(const Cell_rectangle& face, std::size_t index) const
+  // would the outline of both pass a vertex twice, or run along cells of the face itself?
+  bool touches_itself(const Block& face, const Block& strip, std::size_t index, int side) const
   {
     std::vector<std::size_t> vertices;
-    for(const Placed_cell& placed : face.cells)
-      for(int side = 0; side < 4; ++side)
+    for(int s = 0; s < 4; ++s)
+      for(const Block* part : {&face, &strip})
       {
-        if(level(image(placed), side) != level(face.bounds, side))
+        if(s == (part == &face ? side : (side + 2) & 3)) // the common edge
           continue;
-        for(const auto& use : m_complex.uses(placed.cell, cell_side(placed, side)))
-        {
-          const std::size_t other = m_complex.across(use).cell;
-          if(other != NO_INDEX
-             && (m_face_of_cell[other] == index || m_strip_of_cell[other] == m_strip))
-            return true;
-          vertices.push_back(m_complex.source(use));
-        }
+        for(const Placed_cell& placed : part->rim[s])
+          for(const auto& use : m_complex.uses(placed.cell, cell_side(placed, s)))
+          {
+            const std::size_t other = m_complex.across(use).cell;
+            if(other != NO_INDEX
+               && (m_face_of_cell[other] == index || m_strip_of_cell[other] == m_strip))
+              return true;
+            vertices.push_back(m_complex.source(use));
+          }
       }
     std::sort(vertices.begin(), vertices.end());
     return std::adjacent_find(vertices.begin(), vertices.end()) != vertices.end();
-  }
-
-  // compares the first three rows of blossoms across the segment, taken over the smaller width
-  bool compute_smoothness(const Cell_complex::Segment& segment) const
-  {
-    std::array<Bicubic, 2> grid;
-    std::array<double, 2> extent;
-    for(int k = 0; k < 2; ++k)
-    {
-      const auto& side = segment.sides[k];
-      if(side.cell == NO_INDEX || m_complex.cells()[side.cell].cap != NO_INDEX)
-        return false;
-      const Cell& cell = m_complex.cells()[side.cell];
-      grid[k] = rotated(cell.points, (4 - side.side) & 3);
-      extent[k] = double(cell.rectangle.extent((side.side + 1) & 1));
-    }
-    const double step = (std::min)(extent[0], extent[1]);
-    const double inside = step / extent[0], outside = -step / extent[1];
-    const auto &left = segment.sides[0], &right = segment.sides[1];
-    for(int row = 0; row < 3; ++row)
-      for(int i = 0; i < 4; ++i)
-      {
-        const Eigen::Vector3d difference
-          = blossom(grid[0], bezier_arguments(left.first, left.last, i),
-                    bezier_arguments(0, inside, row))
-          - blossom(grid[1], bezier_arguments(right.last, right.first, i),
-                    bezier_arguments(0, outside, row));
-        if(!(difference.norm() <= m_tolerance))
-          return false;
-      }
-    return true;
   }
 
   const Cell_complex& m_complex;
