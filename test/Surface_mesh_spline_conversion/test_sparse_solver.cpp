@@ -1,11 +1,13 @@
-// The factorisation of sparse matrices against that of Eigen: random patterns, dense ones, blocks
-// without connection, several matrices with one pattern, and indefinite or singular matrices.
+// The factorisation of sparse matrices, real and complex, by the residual: random patterns, dense
+// ones, blocks without connection, several matrices with one pattern, and indefinite or singular
+// matrices.
 
 #include <CGAL/Surface_mesh_spline_conversion/internal/Sparse_solver.h>
 
 #include <Eigen/Dense>
 
 #include <cassert>
+#include <complex>
 #include <iostream>
 #include <random>
 #include <string>
@@ -16,7 +18,9 @@ namespace {
 using CGAL::Surface_mesh_spline_conversion::internal::Sparse_solver;
 using CGAL::Surface_mesh_spline_conversion::internal::Supernodal_cholesky;
 
+typedef std::complex<double> Complex;
 typedef Eigen::SparseMatrix<double> Matrix;
+typedef Eigen::SparseMatrix<Complex> Complex_matrix;
 typedef std::vector<Eigen::Triplet<double> > Entries;
 
 std::mt19937 generator(1);
@@ -71,27 +75,48 @@ Entries grid_entries(int m)
   return entries;
 }
 
-void check_solution(Sparse_solver& solver, const Matrix& lower)
+template <typename Scalar>
+void check_solution(Sparse_solver<Scalar>& solver, const Eigen::SparseMatrix<Scalar>& lower)
 {
-  const Eigen::VectorXd b = Eigen::VectorXd::Random(lower.rows());
+  typedef Eigen::Matrix<Scalar, Eigen::Dynamic, 1> Vector;
+  const Vector b = Vector::Random(lower.rows());
   const bool is_regular = solver.factorize(lower);
   assert(is_regular);
-  const Eigen::VectorXd x = solver.solve(b);
+  const Vector x = solver.solve(b);
   assert(x == solver.solve(b));
-  const Eigen::VectorXd residual = lower.selfadjointView<Eigen::Lower>() * x - b;
+  const Vector residual = lower.template selfadjointView<Eigen::Lower>() * x - b;
   assert(residual.norm() <= 1e-10 * b.norm());
+}
+
+// self-adjoint: each number below the diagonal is turned in the plane
+Complex_matrix turned_at_random(const Matrix& lower)
+{
+  Complex_matrix result = lower.cast<Complex>();
+  for(int j = 0; j < result.outerSize(); ++j)
+    for(Complex_matrix::InnerIterator entry(result, j); entry; ++entry)
+      if(entry.row() > j)
+        entry.valueRef() *= std::polar(1., 4 * random_number());
+  return result;
 }
 
 void test(const std::string& name, int n, const Entries& entries, double diagonal)
 {
-  Sparse_solver solver;
+  Sparse_solver<double> solver;
+  Sparse_solver<Complex> complex_solver, sharing_solver;
   for(int k = 0; k < 3; ++k)
   {
     Matrix lower = make_matrix(n, entries, diagonal);
+    const Complex_matrix turned = turned_at_random(lower);
     if(k == 0)
+    {
       solver.analyze(lower);
+      complex_solver.analyze(turned);
+      sharing_solver.analyze(turned, solver);
+    }
     lower *= k + 1;
     check_solution(solver, lower);
+    check_solution(complex_solver, turned);
+    check_solution(sharing_solver, turned);
   }
   std::cout << name << ": " << n << " unknowns" << std::endl;
 }
@@ -100,10 +125,10 @@ void test(const std::string& name, int n, const Entries& entries, double diagona
 void test_indefinite()
 {
   const Matrix lower = make_matrix(200, random_entries(200, 600), -30);
-  Supernodal_cholesky cholesky;
+  Supernodal_cholesky<double> cholesky;
   cholesky.analyze(lower);
   assert(!cholesky.factorize(lower));
-  Sparse_solver solver;
+  Sparse_solver<double> solver;
   solver.analyze(lower);
   check_solution(solver, lower);
 }
@@ -112,7 +137,7 @@ void test_singular()
 {
   Matrix zero = make_matrix(5, Entries(), 1);
   zero *= 0;
-  Sparse_solver solver;
+  Sparse_solver<double> solver;
   solver.analyze(zero);
   assert(!solver.factorize(zero));
 }

@@ -4,6 +4,7 @@
 
 #include "../quality/Quad_quality.h"
 #include "../quality/layout_picture.h"
+#include "Layout_bound.h"
 #include "Layout_checker.h"
 #include "Layout_input.h"
 #include "Limited_process.h"
@@ -137,6 +138,7 @@ inline void check_and_measure(const Network& network, double size, const Layout&
                + (defect.place.empty() ? "" : " (" + defect.place + ")");
   report("defects", json(defects));
   report("quads", json(plain.quads.size()));
+  report("least_quads", json(std::size_t(Check::Layout_bound(mesh).number_of_quads())));
   report("extraordinary_points", json(checker.number_of_extraordinary_points()));
   report("relative_area", json(checker.relative_area()));
   const auto normal = [&](std::size_t q)

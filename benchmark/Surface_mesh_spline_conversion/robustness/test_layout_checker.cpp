@@ -1,6 +1,7 @@
-// The checker of layouts accepts a valid layout, and finds each of its mutations.
+// The checker of layouts accepts a valid layout, and finds each of its mutations. The bounds of the
+// number of quads are those of layouts that are known.
 
-#include "Layout_checker.h"
+#include "Layout_bound.h"
 
 #include <array>
 #include <cmath>
@@ -9,6 +10,7 @@
 #include <cstdlib>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -205,11 +207,67 @@ std::vector<Mutation> mutations()
     {"area of the images", [](Square& s) { change_map(s, [](double& x, double&) { x *= 0.8; }); }}};
 }
 
+Check::Triangle_mesh mesh_of(std::size_t number_of_points,
+                             std::vector<std::array<std::size_t, 3> > triangles)
+{
+  Check::Triangle_mesh mesh;
+  for(std::size_t i = 0; i < number_of_points; ++i)
+    mesh.points.push_back({{std::cos(double(i)), std::sin(double(i)), double(i)}});
+  mesh.triangles = std::move(triangles);
+  return mesh;
+}
+
+// a band of three pairs of triangles between two loops, or a torus if `n` bands are closed
+std::vector<std::array<std::size_t, 3> > bands(std::size_t n, bool is_closed)
+{
+  std::vector<std::array<std::size_t, 3> > triangles;
+  for(std::size_t j = 0; j < n; ++j)
+    for(std::size_t i = 0; i < 3; ++i)
+    {
+      const std::size_t next = is_closed ? (j + 1) % n : j + 1;
+      const std::size_t a = 3 * j + i, b = 3 * j + (i + 1) % 3;
+      const std::size_t c = 3 * next + (i + 1) % 3, d = 3 * next + i;
+      triangles.push_back({{a, b, c}});
+      triangles.push_back({{a, c, d}});
+    }
+  return triangles;
+}
+
+int check_bound(const char* name, const Check::Triangle_mesh& mesh, long expected)
+{
+  const long bound = Check::Layout_bound(mesh).number_of_quads();
+  if(bound != expected)
+    std::printf("bound of %s: %ld instead of %ld\n", name, bound, expected);
+  return bound != expected ? 1 : 0;
+}
+
+int check_bounds()
+{
+  int failures = 0;
+  Check::Triangle_mesh square = make_square().mesh;
+  failures += check_bound("a square", square, 1);
+  square.corners.clear();
+  failures += check_bound("a disk", square, 5); // one in the middle, one at each of four sides
+  square.corners = {0, 2};
+  failures += check_bound("a lens", square, 3);
+  const std::vector<std::array<std::size_t, 3> > tetrahedron
+    = {{{0, 1, 2}}, {{0, 2, 3}}, {{0, 3, 1}}, {{1, 3, 2}}};
+  failures += check_bound("a sphere", mesh_of(4, tetrahedron), 6);
+  failures += check_bound("a ring", mesh_of(6, bands(1, false)), 4);
+  failures += check_bound("a torus", mesh_of(9, bands(3, true)), 1);
+  // two spheres
+  std::vector<std::array<std::size_t, 3> > two = tetrahedron;
+  for(const auto& t : tetrahedron)
+    two.push_back({{t[0] + 4, t[1] + 4, t[2] + 4}});
+  failures += check_bound("two spheres", mesh_of(8, two), 12);
+  return failures;
+}
+
 } // namespace
 
 int main()
 {
-  int failures = 0;
+  int failures = check_bounds();
   Square square = make_square();
   Check::Layout_checker checker(square.layout, square.mesh, square.chains);
   for(const Check::Defect& defect : checker.check())

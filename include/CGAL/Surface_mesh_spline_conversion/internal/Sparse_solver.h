@@ -24,13 +24,16 @@ namespace CGAL {
 namespace Surface_mesh_spline_conversion {
 namespace internal {
 
-// Solves symmetric systems with the same pattern. The factorisation of positive definite matrices
-// is that of this package, or of CHOLMOD if `CGAL_SURFACE_MESH_SPLINE_CONVERSION_USE_CHOLMOD` is
-// defined; matrices that are indefinite, be it by rounding, get one with pivots of both signs.
+// Solves real symmetric or complex self-adjoint systems with the same pattern. The factorisation of
+// positive definite matrices is that of this package, or of CHOLMOD if
+// `CGAL_SURFACE_MESH_SPLINE_CONVERSION_USE_CHOLMOD` is defined; matrices that are indefinite, be it
+// by rounding, get one with pivots of both signs.
+template <typename Scalar>
 class Sparse_solver
 {
 public:
-  typedef Eigen::SparseMatrix<double> Matrix;
+  typedef Eigen::SparseMatrix<Scalar> Matrix;
+  typedef Eigen::Matrix<Scalar, Eigen::Dynamic, 1> Vector;
 
 #ifdef CGAL_SURFACE_MESH_SPLINE_CONVERSION_USE_CHOLMOD
   Sparse_solver() { m_cholesky.cholmod().print = 0; } // no warnings of indefinite matrices
@@ -46,6 +49,19 @@ public:
 #endif
   }
 
+  // The same for a pattern that `other` has analyzed.
+  template <typename Other_scalar>
+  void analyze(const Matrix& lower, const Sparse_solver<Other_scalar>& other)
+  {
+#ifdef CGAL_SURFACE_MESH_SPLINE_CONVERSION_USE_CHOLMOD
+    (void)other;
+    analyze(lower);
+#else
+    (void)lower;
+    m_cholesky.share_analysis(other.m_cholesky);
+#endif
+  }
+
   // Returns `false` if the matrix is singular.
   bool factorize(const Matrix& lower)
   {
@@ -56,7 +72,7 @@ public:
     return m_ldlt.info() == Eigen::Success;
   }
 
-  Eigen::VectorXd solve(const Eigen::VectorXd& b) const
+  Vector solve(const Vector& b) const
   {
     if(m_is_definite)
       return m_cholesky.solve(b);
@@ -64,6 +80,8 @@ public:
   }
 
 private:
+  template <typename Other_scalar> friend class Sparse_solver;
+
 #ifdef CGAL_SURFACE_MESH_SPLINE_CONVERSION_USE_CHOLMOD
   bool factorize_definite(const Matrix& lower)
   {
@@ -75,7 +93,7 @@ private:
 #else
   bool factorize_definite(const Matrix& lower) { return m_cholesky.factorize(lower); }
 
-  Supernodal_cholesky m_cholesky;
+  Supernodal_cholesky<Scalar> m_cholesky;
 #endif
   Eigen::SimplicialLDLT<Matrix> m_ldlt;
   bool m_is_definite = false;

@@ -14,11 +14,13 @@
 #include <CGAL/Surface_mesh_spline_conversion/internal/Sparse_solver.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/field/curvature_alignment.h>
 
-#include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
+#include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -51,7 +53,8 @@ public:
       return true;
     initialize_values();
     assemble(m_matrix);
-    m_solver.analyzePattern(m_matrix);
+    m_solver.analyze(m_matrix);
+    m_is_analyzed = true;
     if(!factorize(0) || !solve(0))
       return false;
     if(!factorize(1))
@@ -92,11 +95,14 @@ public:
       if(m_unknown[f] >= 0)
       {
         const double weight = alignment_weight(f);
-        matrix.coeffRef(m_unknown[f], m_unknown[f]) += weight;
+        matrix.valuePtr()[matrix.outerIndexPtr()[m_unknown[f]]] += weight;
         b[m_unknown[f]] = weight * aligned_angle(f) + angle_flux(f);
       }
-    Sparse_solver solver;
-    solver.analyze(matrix);
+    Sparse_solver<double> solver;
+    if(m_is_analyzed)
+      solver.analyze(matrix, m_solver);
+    else
+      solver.analyze(matrix);
     if(!solver.factorize(matrix))
       return false;
     const Eigen::VectorXd x = solver.solve(b);
@@ -185,36 +191,47 @@ private:
     return alignment_strength * m_alignment.confidence[f] * m_geometry.area[f] / quad_area(f);
   }
 
-  static void set_entry(Complex& value, double weight, double kappa)
+  // the entry for the edge of `h`, in the row of its face
+  void add_entry(int h, Complex& value) const
   {
-    value = -std::polar(weight, -4 * kappa);
+    value -= std::polar(m_geometry.edge_weight[h], -4 * m_field.kappa[h]);
   }
 
-  static void set_entry(double& value, double weight, double) { value = -weight; }
+  void add_entry(int h, double& value) const { value -= m_geometry.edge_weight[h]; }
 
   // the lower half of the connection Laplacian (complex) or of the Laplacian (real)
   template <typename Matrix>
   void assemble(Matrix& matrix)
   {
-    typedef typename Matrix::Scalar Scalar;
-    std::vector<Eigen::Triplet<Scalar> > entries;
+    const int most_entries = 4; // per column
     m_diagonal.assign(m_number_of_unknowns, 0.);
-    for(int h = 0; h < m_mesh.number_of_halfedges(); ++h)
+    matrix.reserve(most_entries * m_number_of_unknowns);
+    std::vector<std::pair<int, int> > below; // row, and halfedge in its face
+    for(int f = 0; f < m_mesh.number_of_faces(); ++f)
     {
-      const int row = m_unknown[h / 3];
-      if(row < 0 || m_mesh.is_border(h))
+      const int column = m_unknown[f];
+      if(column < 0)
         continue;
-      m_diagonal[row] += m_geometry.edge_weight[h];
-      const int column = m_unknown[m_mesh.opposite[h] / 3];
-      if(column < 0 || column >= row)
-        continue;
-      Scalar value;
-      set_entry(value, m_geometry.edge_weight[h], m_field.kappa[h]);
-      entries.emplace_back(row, column, value);
+      below.clear();
+      for(int h = 3 * f; h < 3 * f + 3; ++h)
+        if(!m_mesh.is_border(h))
+        {
+          m_diagonal[column] += m_geometry.edge_weight[h];
+          const int row = m_unknown[m_mesh.opposite[h] / 3];
+          if(row > column)
+            below.emplace_back(row, m_mesh.opposite[h]);
+        }
+      std::sort(below.begin(), below.end());
+      matrix.startVec(column);
+      matrix.insertBack(column, column) = m_diagonal[column];
+      for(std::size_t k = 0; k < below.size(); ++k)
+      {
+        if(k == 0 || below[k].first != below[k - 1].first)
+          matrix.insertBack(below[k].first, column) = 0;
+        add_entry(below[k].second, matrix.data().value(matrix.data().size() - 1));
+      }
     }
-    for(int i = 0; i < m_number_of_unknowns; ++i)
-      entries.emplace_back(i, i, Scalar(m_diagonal[i]));
-    matrix.setFromTriplets(entries.begin(), entries.end());
+    matrix.finalize();
   }
 
   // `time` is the duration of a heat step divided by the area of a quad; 0 stands for infinity
@@ -227,10 +244,9 @@ private:
   {
     for(int f = 0; f < m_mesh.number_of_faces(); ++f)
       if(m_unknown[f] >= 0)
-        m_matrix.coeffRef(m_unknown[f], m_unknown[f])
+        m_matrix.valuePtr()[m_matrix.outerIndexPtr()[m_unknown[f]]] // the first one of its column
           = m_diagonal[m_unknown[f]] + alignment_weight(f) + heat_weight(f, time);
-    m_solver.factorize(m_matrix);
-    return m_solver.info() == Eigen::Success;
+    return m_solver.factorize(m_matrix);
   }
 
   bool solve(double time)
@@ -293,7 +309,8 @@ private:
   std::vector<double> m_diagonal;    // per unknown, of the Laplacian alone
   std::vector<Complex> m_value;      // per face, e^(4 i angle)
   Complex_matrix m_matrix;
-  Eigen::SimplicialLDLT<Complex_matrix> m_solver;
+  Sparse_solver<Complex> m_solver;
+  bool m_is_analyzed = false;        // the pattern of the matrices
 };
 
 } // namespace internal

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <limits>
 
 namespace CGAL {
@@ -104,16 +105,29 @@ private:
     const double e = (J(0, 0) + J(1, 1)) / 2, f = (J(0, 0) - J(1, 1)) / 2;
     const double g = (J(1, 0) + J(0, 1)) / 2, h = (J(1, 0) - J(0, 1)) / 2;
     const double q = std::sqrt(e * e + h * h), r = std::sqrt(f * f + g * g);
-    const double sum = std::atan2(h, e), difference = std::atan2(g, f);
     s = Eigen::Vector2d(q + r, q - r);
-    U = rotation((difference + sum) / 2);
-    V = rotation((difference - sum) / 2);
+    // turns by the sum and the difference of the angles of U and V, of which U is half the sum
+    const Turn sum = r > 0 ? Turn(f / r, g / r) : Turn(1);
+    const Turn difference = q > 0 ? Turn(e / q, h / q) : Turn(1);
+    const Turn u = half(sum * difference);
+    U = rotation(u);
+    V = rotation(u * std::conj(difference));
   }
 
-  static Eigen::Matrix2d rotation(double angle)
+  typedef std::complex<double> Turn; // of absolute value 1
+
+  // one of the two turns whose square is `turn`
+  static Turn half(const Turn& turn)
+  {
+    const double larger = std::sqrt((1 + std::abs(turn.real())) / 2);
+    const double smaller = turn.imag() / (2 * larger);
+    return turn.real() > 0 ? Turn(larger, smaller) : Turn(smaller, larger);
+  }
+
+  static Eigen::Matrix2d rotation(const Turn& turn)
   {
     Eigen::Matrix2d R;
-    R << std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle);
+    R << turn.real(), -turn.imag(), turn.imag(), turn.real();
     return R;
   }
 
@@ -125,10 +139,10 @@ private:
   static void add_symmetric_block(double h00, double h01, double h11, const Jacobian_gradient& a,
                                   const Jacobian_gradient& b, Jacobian_hessian& hessian)
   {
-    const double angle = std::atan2(2 * h01, h00 - h11) / 2;
-    const double mean = (h00 + h11) / 2;
-    const double radius = std::sqrt((h00 - h11) * (h00 - h11) / 4 + h01 * h01);
-    const double c = std::cos(angle), s = std::sin(angle);
+    const double mean = (h00 + h11) / 2, difference = (h00 - h11) / 2;
+    const double radius = std::sqrt(difference * difference + h01 * h01);
+    const Turn turn = radius > 0 ? half(Turn(difference / radius, h01 / radius)) : Turn(1);
+    const double c = turn.real(), s = turn.imag();
     add_mode(mean + radius, c * a + s * b, hessian);
     add_mode(mean - radius, c * b - s * a, hessian);
   }

@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -47,7 +48,6 @@ public:
       m_wedge[corner] = cut.wedge(corner);
     collect_entries();
     build_pattern();
-    locate_entries();
     m_solver.analyze(m_matrix);
   }
 
@@ -181,37 +181,52 @@ private:
 
   int number_of_slots(int f) const { return m_column_start[f + 1] - m_column_start[f]; }
 
-  // the lower triangle, column by column
+  // A face that depends on a column, and the slot of the column in the face.
+  struct Use
+  {
+    int face;
+    int slot;
+  };
+
+  // the uses of column c are those from start[c] to start[c + 1]
+  std::vector<Use> find_uses(std::vector<int>& start) const
+  {
+    start.assign(m_space.number_of_free_variables() + 1, 0);
+    for(int c : m_column)
+      ++start[c + 1];
+    std::partial_sum(start.begin(), start.end(), start.begin());
+    std::vector<Use> uses(m_column.size());
+    std::vector<int> end(start.begin(), start.end() - 1);
+    for(int f = 0; f < m_number_of_faces; ++f)
+      for(int i = 0; i < number_of_slots(f); ++i)
+        uses[end[m_column[m_column_start[f] + i]]++] = Use{f, i};
+    return uses;
+  }
+
+  // the lower triangle, column by column, and the places of the entries of the faces in it
   void build_pattern()
   {
     const int n = m_space.number_of_free_variables();
-    std::vector<std::size_t> count(n + 1, 0);
-    for(int f = 0; f < m_number_of_faces; ++f)
-      for(int i = 0; i < number_of_slots(f); ++i)
-        count[m_column[m_column_start[f] + i] + 1] += number_of_slots(f) - i;
-    for(int c = 0; c < n; ++c)
-      count[c + 1] += count[c];
-    std::vector<int> rows(count[n]);
-    std::vector<std::size_t> end(count.begin(), count.end() - 1);
-    for(int f = 0; f < m_number_of_faces; ++f)
-      for(int i = m_column_start[f]; i < m_column_start[f + 1]; ++i)
-        for(int j = i; j < m_column_start[f + 1]; ++j)
-          rows[end[m_column[i]]++] = m_column[j];
-    fill_matrix(count, rows);
-  }
-
-  void fill_matrix(const std::vector<std::size_t>& first, std::vector<int>& rows)
-  {
-    const int n = m_space.number_of_free_variables();
-    std::vector<int> start(1, 0), inner;
+    reserve_places();
+    std::vector<int> first_use, start(1, 0), inner;
+    const std::vector<Use> uses = find_uses(first_use);
+    std::vector<int> place(n, -1); // of each row in `inner`; before start[c]: in an earlier column
     for(int c = 0; c < n; ++c)
     {
-      const auto begin = rows.begin() + first[c];
-      auto end = rows.begin() + first[c + 1];
-      std::sort(begin, end);
-      end = std::unique(begin, end);
-      inner.insert(inner.end(), begin, end);
+      for(int k = first_use[c]; k < first_use[c + 1]; ++k)
+        for(int i = m_column_start[uses[k].face] + uses[k].slot;
+            i < m_column_start[uses[k].face + 1]; ++i)
+          if(place[m_column[i]] < start[c])
+          {
+            place[m_column[i]] = start[c];
+            inner.push_back(m_column[i]);
+          }
+      std::sort(inner.begin() + start[c], inner.end());
       start.push_back(static_cast<int>(inner.size()));
+      for(int k = start[c]; k < start[c + 1]; ++k)
+        place[inner[k]] = k;
+      for(int k = first_use[c]; k < first_use[c + 1]; ++k)
+        locate_entries(uses[k], place);
     }
     m_matrix.resize(n, n);
     m_matrix.resizeNonZeros(inner.size());
@@ -219,22 +234,23 @@ private:
     std::copy(inner.begin(), inner.end(), m_matrix.innerIndexPtr());
   }
 
-  // for each face the places in the matrix of its pairs of slots (i, j), j <= i
-  void locate_entries()
+  // for each face one place for each pair of slots (i, j), j <= i
+  void reserve_places()
   {
     m_place_start.assign(1, 0);
     for(int f = 0; f < m_number_of_faces; ++f)
-    {
-      for(int i = m_column_start[f]; i < m_column_start[f + 1]; ++i)
-        for(int j = m_column_start[f]; j <= i; ++j)
-        {
-          const int* begin = m_matrix.innerIndexPtr() + m_matrix.outerIndexPtr()[m_column[j]];
-          const int* end = m_matrix.innerIndexPtr() + m_matrix.outerIndexPtr()[m_column[j] + 1];
-          const int* place = std::lower_bound(begin, end, m_column[i]);
-          m_place.push_back(static_cast<int>(place - m_matrix.innerIndexPtr()));
-        }
-      m_place_start.push_back(m_place.size());
-    }
+      m_place_start.push_back(m_place_start.back()
+                              + number_of_slots(f) * (number_of_slots(f) + 1) / 2);
+    m_place.resize(m_place_start.back());
+  }
+
+  static int pair_of_slots(int i, int j) { return i * (i + 1) / 2 + j; }
+
+  void locate_entries(const Use& use, const std::vector<int>& place)
+  {
+    for(int i = use.slot; i < number_of_slots(use.face); ++i)
+      m_place[m_place_start[use.face] + pair_of_slots(i, use.slot)]
+        = place[m_column[m_column_start[use.face] + i]];
   }
 
   void scatter(int f, const Eigen::Matrix<double, 6, 6>& local_matrix,
@@ -248,7 +264,7 @@ private:
       m_gradient[m_column[m_column_start[f] + e.slot]] += e.coefficient * local_gradient[e.local];
       for(int b = m_entry_start[f]; b < m_entry_start[f + 1]; ++b)
         if(m_entry[b].slot <= e.slot)
-          values[place[e.slot * (e.slot + 1) / 2 + m_entry[b].slot]]
+          values[place[pair_of_slots(e.slot, m_entry[b].slot)]]
             += e.coefficient * m_entry[b].coefficient * local_matrix(e.local, m_entry[b].local);
     }
   }
@@ -265,7 +281,7 @@ private:
   std::vector<std::size_t> m_place_start; // per face
   Matrix m_matrix;
   Eigen::VectorXd m_gradient;
-  Sparse_solver m_solver;
+  Sparse_solver<double> m_solver;
 };
 
 } // namespace internal

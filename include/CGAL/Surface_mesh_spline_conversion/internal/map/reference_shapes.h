@@ -154,7 +154,7 @@ inline std::vector<double> conformal_scales(const Working_mesh& mesh, const Face
   }
   Eigen::SparseMatrix<double> laplacian(n, n);
   laplacian.setFromTriplets(entries.begin(), entries.end());
-  Sparse_solver solver;
+  Sparse_solver<double> solver;
   solver.analyze(laplacian);
   if(!solver.factorize(laplacian))
     return std::vector<double>();
