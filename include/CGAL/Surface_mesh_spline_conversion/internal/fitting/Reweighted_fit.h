@@ -24,11 +24,11 @@ namespace CGAL {
 namespace Surface_mesh_spline_conversion {
 namespace internal {
 
-// Lowers the largest distances of a least-squares fit. Many patches that violate the tolerance do so by
-// little, beside others that are far below it. The weights of these patches are increased with their
+// Lowers the largest distances of a least-squares fit. Many patches violate the tolerance by little,
+// beside others that are far below it. The weights of these patches are increased with their
 // errors, and the control points that act on them are fitted again: iteratively reweighted least
-// squares, which tend to the fit with the smallest largest distance. What meets the tolerance
-// then need not be refined.
+// squares, which tend to the fit with the smallest largest distance. What meets the tolerance then
+// need not be refined. The rounds do not always improve the fit, the best one is taken.
 template <typename Surface, typename Target>
 class Reweighted_fit
 {
@@ -47,49 +47,52 @@ public:
       m_tolerance(tolerance)
   {}
 
-  // `errors`: of the fit, and then of the better one that was found. `accuracy`: see Interior_system
+  // `errors`: of the fit, and then of the best one that was found. `accuracy`: see Interior_system
   void operator()(std::unique_ptr<Errors>& errors, double accuracy)
   {
-    constexpr int number_of_rounds = 2; // more change little
-    for(int round = 0; round < number_of_rounds; ++round)
-      if(!improve(errors, accuracy))
-        return;
+    constexpr int number_of_rounds = 4;
+    std::vector<Patch_error> violations = errors->errors(m_tolerance);
+    std::vector<Point_3> points = control_points();
+    size_type fewest = violations.size();
+    std::unique_ptr<Errors> next(new Errors(*errors));
+    for(int round = 0; round < number_of_rounds && fit(violations, accuracy); ++round)
+    {
+      next->update();
+      violations = next->errors(m_tolerance);
+      if(violations.size() >= fewest)
+        continue;
+      fewest = violations.size();
+      points = control_points();
+      errors.reset(new Errors(*next));
+    }
+    for(size_type i = 0; i < points.size(); ++i)
+      m_surface.set_control_point(i, points[i]);
   }
 
 private:
   // Patches whose error exceeds the tolerance by this factor have to be refined anyway.
   static constexpr double largest_excess = 2;
 
-  // returns `false` if not fewer patches violate the tolerance afterwards; the surface is then as before
-  bool improve(std::unique_ptr<Errors>& errors, double accuracy)
+  std::vector<Point_3> control_points() const
   {
-    const std::vector<Patch_error> violations = errors->errors(m_tolerance);
+    std::vector<Point_3> result;
+    for(size_type i = 0; i < m_is_fixed.size(); ++i)
+      result.push_back(m_surface.control_point(i));
+    return result;
+  }
+
+  // fits with larger weights; returns `false` if that is not possible
+  bool fit(const std::vector<Patch_error>& violations, double accuracy)
+  {
     const std::vector<bool> is_fixed = increase_weights(violations);
     const std::vector<size_type> patches = patches_with_free_points(is_fixed);
-    if(patches.empty())
-      return false;
-    std::vector<Point_3> points;
-    for(size_type i = 0; i < is_fixed.size(); ++i)
-      points.push_back(m_surface.control_point(i));
-    if(fit(is_fixed, patches, accuracy))
-    {
-      std::unique_ptr<Errors> next(new Errors(*errors));
-      next->update();
-      if(next->errors(m_tolerance).size() < violations.size())
-      {
-        errors = std::move(next);
-        return true;
-      }
-    }
-    for(size_type i = 0; i < points.size(); ++i)
-      m_surface.set_control_point(i, points[i]);
-    return false;
+    return !patches.empty() && fit(is_fixed, patches, accuracy);
   }
 
   // returns which control points do not move
   std::vector<bool> increase_weights(const std::vector<Patch_error>& violations)
   {
-    constexpr double factor = 2; // of the weight of a patch at the tolerance
+    constexpr double factor = 1.5; // of the weight of a patch at the tolerance
     std::vector<bool> result(m_is_fixed.size(), true);
     for(const Patch_error& e : violations)
     {
@@ -120,7 +123,8 @@ private:
     return result;
   }
 
-  bool fit(const std::vector<bool>& is_fixed, const std::vector<size_type>& patches, double accuracy)
+  bool fit(const std::vector<bool>& is_fixed, const std::vector<size_type>& patches,
+           double accuracy)
   {
     const System system(m_samples, is_fixed, patches);
     if(!system.is_valid() || !system.fit(m_surface, accuracy))
