@@ -7,7 +7,9 @@
 #include <CGAL/Surface_mesh_spline_conversion/stitch_with_BRep.h>
 
 #include <cstdio>
+#include <fstream>
 #include <iostream>
+#include <iterator>
 
 namespace SMSC = CGAL::Surface_mesh_spline_conversion;
 
@@ -27,6 +29,10 @@ void check_files(const TopoDS_Shape& shape, const SMSC::Stitching_report& report
     std::string message;
     assert(CGAL::IO::write_BRep(filename, shape));
     assert(CGAL::IO::read_BRep(filename, copy, message));
+    std::ifstream file(filename);
+    const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+    const bool is_step = (filename == "test_brep_stitching.step");
+    assert((text.find("1970-01-01T00:00:00") != std::string::npos) == is_step);
     std::remove(filename.c_str());
     const SMSC::Stitching_report again = SMSC::measure_BRep(copy);
     assert(again.solids == report.solids && again.shells == report.shells);

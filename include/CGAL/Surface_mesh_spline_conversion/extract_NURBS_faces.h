@@ -77,8 +77,10 @@ std::int64_t quad_ticks(const FT& t)
 template <typename K>
 std::vector<Cell> surface_cells(const T_NURCC_surface_3<K>& surface)
 {
+  const auto elements = surface.bezier_elements(EXTRACTION_LEVELS);
   std::vector<Cell> cells;
-  for(const auto& element : surface.bezier_elements(EXTRACTION_LEVELS))
+  cells.reserve(elements.size());
+  for(const auto& element : elements)
   {
     Cell cell;
     cell.patch = element.patch;

@@ -13,11 +13,10 @@
 
 #include <CGAL/Surface_mesh_spline_conversion/Stitching_report.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/open_cascade/Edge_on_surface.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/open_cascade/volume.h>
 
 #include <BRepCheck_Analyzer.hxx>
-#include <BRepGProp.hxx>
 #include <BRep_Tool.hxx>
-#include <GProp_GProps.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
@@ -120,11 +119,7 @@ inline Stitching_report measure_BRep(const TopoDS_Shape& shape)
   report.vertex_tolerance = internal::largest_vertex_tolerance(shape);
   report.is_valid = BRepCheck_Analyzer(shape).IsValid();
   if(report.solids > 0 && report.free_edges == 0)
-  {
-    GProp_GProps properties;
-    BRepGProp::VolumeProperties(shape, properties);
-    report.volume = properties.Mass();
-  }
+    report.volume = internal::volume(shape);
   return report;
 }
 

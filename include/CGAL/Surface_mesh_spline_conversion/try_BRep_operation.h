@@ -12,6 +12,7 @@
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
 #include <CGAL/Surface_mesh_spline_conversion/internal/open_cascade/run_in_child_process.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/open_cascade/volume.h>
 #include <CGAL/Surface_mesh_spline_conversion/measure_BRep.h>
 
 #include <BRepAlgoAPI_Common.hxx>
@@ -19,10 +20,12 @@
 #include <BRepBndLib.hxx>
 #include <BRepFilletAPI_MakeChamfer.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
+#include <BRepGProp.hxx>
 #include <BRepOffsetAPI_MakeOffsetShape.hxx>
 #include <BRepOffsetAPI_MakeThickSolid.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <Bnd_Box.hxx>
+#include <GProp_GProps.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_Plane.hxx>
 #include <Standard_Failure.hxx>
@@ -79,10 +82,9 @@ public:
     BRepBndLib::Add(shape, m_bounds);
     if(!(size > 0))
       m_size = DEFAULT_RELATIVE_SIZE * m_bounds.CornerMin().Distance(m_bounds.CornerMax());
-    GProp_GProps volume, surface;
-    BRepGProp::VolumeProperties(shape, volume);
+    GProp_GProps surface;
     BRepGProp::SurfaceProperties(shape, surface);
-    m_volume = volume.Mass();
+    m_volume = internal::volume(shape);
     m_area = surface.Mass();
   }
 
@@ -116,9 +118,7 @@ private:
     if(shape.IsNull())
       return {"not done"};
     const Stitching_report report = measure_BRep(shape);
-    GProp_GProps properties;
-    BRepGProp::VolumeProperties(shape, properties);
-    const double volume = properties.Mass();
+    const double volume = internal::volume(shape);
     if(!report.is_valid)
       return {"invalid", volume};
     if(report.free_edges > 0)

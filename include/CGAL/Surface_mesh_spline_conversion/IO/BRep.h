@@ -11,6 +11,9 @@
 
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
+#include <CGAL/Surface_mesh_spline_conversion/IO/STEP.h>
+
+#include <APIHeaderSection_MakeHeader.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
 #include <IFSelect_ReturnStatus.hxx>
@@ -20,6 +23,7 @@
 #include <Message_PrinterOStream.hxx>
 #include <STEPControl_Reader.hxx>
 #include <STEPControl_Writer.hxx>
+#include <TCollection_HAsciiString.hxx>
 #include <TopoDS_Shape.hxx>
 
 #include <map>
@@ -99,7 +103,8 @@ inline bool read_BRep(const std::string& filename, TopoDS_Shape& shape, std::str
 \ingroup PkgSurfaceMeshSplineConversionOpenCascade
 
 writes a boundary representation to a file: STEP, or the format of Open CASCADE if the name ends in
-`.brep`; only the latter keeps tolerances.
+`.brep`; only the latter keeps tolerances. Equal shapes give equal files: a STEP file has the default
+time stamp of `STEP_information`.
 
 This needs Open CASCADE. If headers of both are included, those of \cgal must come first.
 
@@ -121,8 +126,12 @@ inline bool write_BRep(const std::string& filename, const TopoDS_Shape& shape,
   STEPControl_Writer writer;
   Interface_Static::SetCVal("xstep.cascade.unit", "MM");
   Interface_Static::SetCVal("write.step.unit", internal::unit_name(unit).c_str());
-  return writer.Transfer(shape, STEPControl_AsIs) == IFSelect_RetDone
-      && writer.Write(filename.c_str()) == IFSelect_RetDone;
+  if(writer.Transfer(shape, STEPControl_AsIs) != IFSelect_RetDone)
+    return false;
+  APIHeaderSection_MakeHeader header(writer.Model());
+  header.SetTimeStamp(new TCollection_HAsciiString(
+    Surface_mesh_spline_conversion::STEP_information().time_stamp.c_str()));
+  return writer.Write(filename.c_str()) == IFSelect_RetDone;
 }
 
 } // namespace IO

@@ -98,15 +98,18 @@ inline Cell_complex make_cell_complex(std::vector<Cell> cells, const Quad_neighb
   for(;;)
   {
     Cell_complex complex(std::move(cells), neighbors);
+    std::vector<char> marks(complex.cells().size(), false);
+    for(std::size_t c = 0; c < marks.size(); ++c)
+      marks[c] = complex.cells()[c].cap == NO_INDEX && touches_itself(complex, c);
+    if(std::find(marks.begin(), marks.end(), true) == marks.end())
+      return complex;
     std::vector<Cell> next;
-    for(std::size_t c = 0; c < complex.cells().size(); ++c)
-      if(complex.cells()[c].cap == NO_INDEX && touches_itself(complex, c))
+    for(std::size_t c = 0; c < marks.size(); ++c)
+      if(marks[c])
         for(const Cell& part : quartered(complex.cells()[c]))
           next.push_back(part);
       else
         next.push_back(complex.cells()[c]);
-    if(next.size() == complex.cells().size())
-      return complex;
     cells = std::move(next);
   }
 }

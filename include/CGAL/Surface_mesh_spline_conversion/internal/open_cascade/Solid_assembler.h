@@ -11,11 +11,11 @@
 
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
+#include <CGAL/Surface_mesh_spline_conversion/internal/open_cascade/volume.h>
+
 #include <BRepClass3d_SolidClassifier.hxx>
-#include <BRepGProp.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
-#include <GProp_GProps.hxx>
 #include <Precision.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
@@ -35,14 +35,6 @@
 namespace CGAL {
 namespace Surface_mesh_spline_conversion {
 namespace internal {
-
-/// returns the signed volume inside a closed shape.
-inline double volume(const TopoDS_Shape& shape)
-{
-  GProp_GProps properties;
-  BRepGProp::VolumeProperties(shape, properties);
-  return properties.Mass();
-}
 
 /// Assembles faces that share edges to shells, and closed shells to solids. The faces of a shell
 /// are oriented like its first one; a shell that is turned inside out is a cavity of the solid
