@@ -8,6 +8,7 @@
 #include <CGAL/Surface_mesh_spline_conversion/Boundary_curve_network_3.h>
 #include <CGAL/Surface_mesh_spline_conversion/IO/read_case.h>
 #include <CGAL/Surface_mesh_spline_conversion/convert_to_T_NURCC.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/keep_freed_memory.h>
 #include <CGAL/Surface_mesh_spline_conversion/interpolate_boundary_curves.h>
 
 #include "convert_case/Options.h"
@@ -243,6 +244,7 @@ Exit_code run(const Options& options)
 
 int main(int argc, char* argv[])
 {
+  SC::internal::keep_freed_memory();
   Options options;
   const std::string error
     = parse_options(std::vector<std::string>(argv + 1, argv + argc), options);

@@ -2,6 +2,8 @@
 #ifndef ROBUSTNESS_LIMITED_PROCESS_H
 #define ROBUSTNESS_LIMITED_PROCESS_H
 
+#include <CGAL/Surface_mesh_spline_conversion/internal/keep_freed_memory.h>
+
 #include <poll.h>
 #include <signal.h>
 #include <sys/resource.h>
@@ -16,15 +18,10 @@
 #include <cstring>
 #include <exception>
 #include <functional>
-#include <limits>
 #include <new>
 #include <string>
 #include <utility>
 #include <vector>
-
-#ifdef __GLIBC__ // defined by the headers above
-#include <malloc.h>
-#endif
 
 // What a process reports: names and JSON values, in the order in which they were written.
 class Record
@@ -89,17 +86,6 @@ inline void limit_memory(std::size_t bytes)
   getrlimit(RLIMIT_AS, &limit);
   limit.rlim_cur = bytes;
   setrlimit(RLIMIT_AS, &limit);
-}
-
-// Lets this process keep freed blocks of memory for later use. By default, the C library of GNU returns
-// large ones at once, and the system spends a good part of the time on fresh pages.
-inline void keep_freed_memory()
-{
-#ifdef __GLIBC__
-  const int largest_threshold = 32 << 20;
-  mallopt(M_MMAP_THRESHOLD, largest_threshold);
-  mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
-#endif
 }
 
 // The other end of `run_process()`: writes members of the record from within the process.
@@ -170,7 +156,7 @@ inline Record run_process(const std::function<void(Reporter&)>& task, double wal
   if(child == 0)
   {
     close(ends[0]);
-    keep_freed_memory();
+    CGAL::Surface_mesh_spline_conversion::internal::keep_freed_memory();
     Reporter reporter(ends[1]);
     int status = EXIT_SUCCESS;
     try
