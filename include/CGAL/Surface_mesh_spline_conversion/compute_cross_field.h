@@ -28,6 +28,7 @@
 #include <cmath>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <set>
 #include <type_traits>
 #include <utility>
@@ -90,6 +91,8 @@ struct Field_attempt
   double spacing = 1;                // see `Cross_field`
   double proxy_refinement = 1;       // by how much the edges of the proxy are shorter than usual
   Mesh mesh = Mesh::CHOSEN;
+  // the proxy, or null if the mesh itself is used: for attempts that differ only in the spacing
+  std::shared_ptr<std::optional<std::shared_ptr<const Proxy_mesh> > > known_proxy;
 };
 
 inline bool is_proxy_wanted(const Proxy_builder&, bool choice) { return choice; }
@@ -114,17 +117,32 @@ inline std::vector<Eigen::Vector3d> directions_on_proxy(const Cross_field& field
   return wanted;
 }
 
-// Replaces the mesh of `field` by a proxy and computes the field there. Returns `false`, with
-// `field` as before, if no proxy is wanted or none is good enough. `choice`: the named parameter.
+// The proxy of the mesh of `field`, null if none is wanted or none is good enough. `choice`: the
+// named parameter.
 template <typename Choice>
-bool build_cross_field_on_proxy(Cross_field& field, const std::vector<char>& is_kept,
-                                const Field_attempt& attempt, const Choice& choice)
+std::shared_ptr<const Proxy_mesh> find_proxy(const Cross_field& field,
+                                             const std::vector<char>& is_kept,
+                                             const Field_attempt& attempt, const Choice& choice)
 {
+  if(attempt.known_proxy && *attempt.known_proxy)
+    return **attempt.known_proxy;
   const auto original = std::make_shared<const Working_mesh>(field.mesh);
   Proxy_builder builder(original, field.size, is_kept, attempt.proxy_refinement);
-  const auto proxy = std::make_shared<Proxy_mesh>();
+  auto proxy = std::make_shared<Proxy_mesh>();
   const bool is_other = attempt.mesh == Field_attempt::Mesh::OTHER;
   if(is_proxy_wanted(builder, choice) == is_other || !builder.build(*proxy))
+    proxy = nullptr;
+  if(attempt.known_proxy)
+    *attempt.known_proxy = proxy;
+  return proxy;
+}
+
+// Replaces the mesh of `field` by a proxy and computes the field there. Returns `false`, with
+// `field` as before, if there is no proxy.
+inline bool build_cross_field_on_proxy(Cross_field& field,
+                                       std::shared_ptr<const Proxy_mesh> proxy)
+{
+  if(!proxy)
     return false;
   Cross_field on_proxy;
   on_proxy.spacing = field.spacing;
@@ -216,8 +234,9 @@ Error_code compute_cross_field(const TriangleMesh& tm, const BoundaryCurveNetwor
   if(!read_wanted_directions(tm, get_parameter(np, internal_np::cross_field_map),
                              field.wanted_direction))
     return Error_code::INVALID_PARAMETER;
-  if(build_cross_field_on_proxy(field, find_curve_joints(field.mesh, network), attempt,
-                                get_parameter(np, internal_np::use_proxy_mesh)))
+  const auto proxy = find_proxy(field, find_curve_joints(field.mesh, network), attempt,
+                                get_parameter(np, internal_np::use_proxy_mesh));
+  if(build_cross_field_on_proxy(field, proxy))
     return Error_code::OK;
   return build_cross_field(field);
 }
@@ -240,8 +259,9 @@ singularities are split.
 
 If the mesh is much finer than the quads or has many badly shaped triangles, the field is computed
 on a proxy: a mesh of well-shaped triangles of about a third of the quad size, with vertices on the
-mesh and on its boundary, which the later stages use, too. The proxy is checked: projected along its
-normals, its faces cover the mesh without folds and gaps. If this fails, the mesh itself is used.
+mesh, but where this is folded, and on its boundary, which the later stages use, too. The proxy is
+checked: projected along its normals, its faces cover the mesh without gaps, and with folds in few
+faces at most. If this fails, the mesh itself is used.
 
 \tparam TriangleMesh a model of `HalfedgeListGraph` and `FaceListGraph`
 \tparam BoundaryCurveNetwork an instance of `Boundary_curve_network_3`

@@ -18,7 +18,6 @@
 #include <CGAL/Surface_mesh_spline_conversion/compute_cross_field.h>
 #include <CGAL/Surface_mesh_spline_conversion/compute_integer_grid_map.h>
 #include <CGAL/Surface_mesh_spline_conversion/extract_quad_layout.h>
-#include <CGAL/Surface_mesh_spline_conversion/internal/layout/Inverse_map_check.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/layout/Padded_triangulation.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/map/make_working_mesh.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/named_parameters.h>
@@ -31,6 +30,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -115,8 +116,8 @@ inline std::string describe(const Field_attempt& attempt, const Integer_grid_map
   return text.empty() ? "none" : text;
 }
 
-// Field, map and quads, by the first attempt that succeeds. The projection from a proxy is judged
-// together with the quads: where their inverse map has folds, finer proxies are tried.
+// Field, map and quads, by the first attempt that succeeds. Where the projection from a proxy has
+// folds, so would the inverse map: finer proxies are tried.
 template <typename TriangleMesh, typename BoundaryCurveNetwork, typename GeomTraits,
           typename Visitor, typename NamedParameters>
 class Layout_ladder
@@ -155,6 +156,7 @@ private:
     std::vector<Map_attempt> attempts(1, Map_attempt{1, few_repairs});
     Error_code code = Error_code::NO_SEAMLESS_MAP;
     m_is_folded = false;
+    on_mesh.known_proxy = std::make_shared<std::optional<std::shared_ptr<const Proxy_mesh> > >();
     for(std::size_t i = 0; i < attempts.size() && has_no_map(code) && !m_is_folded; ++i)
     {
       m_report.message = m_message;
@@ -163,7 +165,8 @@ private:
       if(i == 0)
         append_attempts(m_field, attempts);
       if(code == Error_code::OK)
-        code = run_stage("quad_layout", m_visitor, m_report, [&]() { return extract(); });
+        code = run_stage("quad_layout", m_visitor, m_report, [&]()
+          { return extract_quad_layout(m_map, m_tm, m_network, m_layout, m_np); });
       if(code == Error_code::OK)
         m_report.map.fallback = describe(on_mesh, m_map);
       else if(has_no_map(code) && !m_map.message.empty())
@@ -177,20 +180,16 @@ private:
     m_map = Integer_grid_map();
     const Error_code code = run_stage("cross_field", m_visitor, m_report, [&]()
       { return compute_cross_field(m_tm, m_network, attempt, m_field, m_np); });
-    return code != Error_code::OK ? code
-      : run_stage("integer_grid_map", m_visitor, m_report, [&]()
-          { return compute_integer_grid_map(m_field, most_repairs, m_map); });
-  }
-
-  Error_code extract()
-  {
-    const Error_code code = extract_quad_layout(m_map, m_tm, m_network, m_layout, m_np);
-    m_is_folded = code == Error_code::OK && m_map.proxy
-      && !Inverse_map_check<GeomTraits>(m_layout, num_faces(m_tm)).is_orientation_kept();
-    if(!m_is_folded)
+    if(code != Error_code::OK)
       return code;
-    m_map.message = "the projection from the proxy to the mesh has folds";
-    return Error_code::NO_QUAD_LAYOUT;
+    m_is_folded = m_field.proxy && m_field.proxy->is_folded;
+    if(m_is_folded)
+    {
+      m_map.message = "the projection from the proxy to the mesh has folds";
+      return Error_code::NO_QUAD_LAYOUT;
+    }
+    return run_stage("integer_grid_map", m_visitor, m_report, [&]()
+      { return compute_integer_grid_map(m_field, most_repairs, m_map); });
   }
 
   const TriangleMesh& m_tm;
@@ -202,7 +201,7 @@ private:
   const std::string m_message; // of the report before
   Cross_field m_field;
   Integer_grid_map m_map;
-  bool m_is_folded = false;    // the last layout
+  bool m_is_folded = false;    // the last proxy
 };
 
 // the quads of an integer grid map

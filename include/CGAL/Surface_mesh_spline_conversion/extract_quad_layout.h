@@ -146,7 +146,8 @@ around, are moved such that the angles at them become nearly equal. The inverse 
 to rounding and maps no two quads to the same place. It is piecewise linear away from extraordinary
 points if the map has been solved again (`Integer_grid_map::is_resolved`) and there is no proxy.
 With a proxy, its points are projected to the mesh along normals that are interpolated on the proxy,
-and those of the boundary by arc length.
+and those of the boundary by arc length; where the mesh is folded, they are projected to a smoother
+surface of the same triangles.
 
 \tparam TriangleMesh a model of `FaceListGraph`
 \tparam BoundaryCurveNetwork an instance of `Boundary_curve_network_3`

@@ -227,7 +227,7 @@ private:
   {
     std::array<Eigen::Vector3d, 4> points;
     for(int i = 0; i < 4; ++i)
-      points[i] = point(moved(m_places[quad][i], change));
+      points[i] = point_at(m_map->mesh, moved(m_places[quad][i], change));
     return oriented_scaled_jacobian(
       points, m_map->mesh.normal(moved(m_places[quad][4], change).face));
   }
@@ -255,14 +255,6 @@ private:
   static bool is_same(const Working_location& a, const Working_location& b)
   {
     return a.face == b.face && a.barycentric == b.barycentric;
-  }
-
-  Eigen::Vector3d point(const Working_location& at) const
-  {
-    const Working_mesh& mesh = m_map->mesh;
-    const std::array<int, 3>& t = mesh.triangles[at.face];
-    return at.barycentric[0] * mesh.points[t[0]] + at.barycentric[1] * mesh.points[t[1]]
-           + at.barycentric[2] * mesh.points[t[2]];
   }
 
   std::vector<std::vector<int> > m_disks_at; // per face of the working mesh

@@ -37,7 +37,8 @@ inline std::vector<std::array<Eigen::Vector3d, 3> > face_corners(const Working_m
 }
 
 // The inverse map of a layout that has been extracted from an integer grid map of a proxy: the
-// points of the proxy are projected to the mesh that it stands for.
+// points of the proxy are projected to the mesh that it stands for, unfolded, whose faces are those
+// of the mesh.
 template <typename GeomTraits>
 class Proxy_inverse_map
   : public Quad_layout<GeomTraits>::Inverse_map
@@ -59,7 +60,7 @@ public:
   {
     const Working_location at
       = m_projection(m_parents(m_quads(quad, CGAL::to_double(u), CGAL::to_double(v))));
-    return make_surface_location<GeomTraits>(in_input_face(at), m_projection.point(at));
+    return make_surface_location<GeomTraits>(in_input_face(at), point_at(*m_proxy->original, at));
   }
 
 private:

@@ -226,16 +226,8 @@ private:
   {
     std::array<Eigen::Vector3d, 4> points;
     for(int i = 0; i < 4; ++i)
-      points[i] = point(m_vertices[m_grid->vertices[quad][i]]);
+      points[i] = point_at(m_map->mesh, m_vertices[m_grid->vertices[quad][i]]);
     return oriented_scaled_jacobian(points, m_map->mesh.normal(m_middles[quad].face));
-  }
-
-  Eigen::Vector3d point(const Working_location& at) const
-  {
-    const Working_mesh& mesh = m_map->mesh;
-    const std::array<int, 3>& t = mesh.triangles[at.face];
-    return at.barycentric[0] * mesh.points[t[0]] + at.barycentric[1] * mesh.points[t[1]]
-           + at.barycentric[2] * mesh.points[t[2]];
   }
 
   std::vector<std::shared_ptr<const Harmonic_disk> > m_motions; // one after the other

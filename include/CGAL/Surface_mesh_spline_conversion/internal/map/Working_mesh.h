@@ -164,6 +164,13 @@ struct Working_location
   std::array<double, 3> barycentric; // sums up to one
 };
 
+inline Eigen::Vector3d point_at(const Working_mesh& mesh, const Working_location& at)
+{
+  const std::array<int, 3>& t = mesh.triangles[at.face];
+  return at.barycentric[0] * mesh.points[t[0]] + at.barycentric[1] * mesh.points[t[1]]
+         + at.barycentric[2] * mesh.points[t[2]];
+}
+
 // Connected component of every face, numbered from 0.
 inline std::vector<int> face_components(const Working_mesh& mesh)
 {

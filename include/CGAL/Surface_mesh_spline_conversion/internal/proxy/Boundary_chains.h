@@ -56,6 +56,18 @@ public:
     return place;
   }
 
+  // the arc lengths of the vertices between two arc lengths, in increasing order
+  std::vector<double> vertices_between(std::size_t chain, double first, double last) const
+  {
+    std::vector<double> result;
+    const std::vector<std::pair<double, int> >& edges = m_edges[chain];
+    for(auto edge = std::upper_bound(edges.begin(), edges.end(),
+                                     std::make_pair(first, m_mesh->number_of_halfedges()));
+        edge != edges.end() && edge->first < last; ++edge)
+      result.push_back(edge->first);
+    return result;
+  }
+
 private:
   const Working_mesh* m_mesh;
   std::vector<std::vector<std::pair<double, int> > > m_edges; // per chain: (arc length, halfedge)

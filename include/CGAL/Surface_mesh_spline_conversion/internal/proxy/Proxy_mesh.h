@@ -23,15 +23,18 @@ namespace Surface_mesh_spline_conversion {
 namespace internal {
 
 // A coarser and well-shaped mesh that stands for a triangle mesh while field, map and layout are
-// computed. Its vertices lie on the original. At the boundary it has the chains of the original:
+// computed. Its vertices lie on the original, unfolded. At the boundary it has the chains of the original:
 // between two neighbouring boundary vertices the arc lengths of both run over the same interval.
 struct Proxy_mesh
 {
   std::shared_ptr<const Working_mesh> original;
+  std::shared_ptr<const Working_mesh> unfolded; // the original with some inner vertices moved: the
+                                                // projection goes to it
   Working_mesh mesh;
   std::vector<Working_location> place;  // per vertex of `mesh`: where it lies on the original
   std::vector<Eigen::Vector3d> normal;  // per vertex of `mesh`: the direction of projection, of
                                         // length one
+  bool is_folded = false;               // is the projection not known to be one to one?
   std::vector<double> size;             // per vertex of `mesh`: wanted edge length of the quads
 };
 

@@ -24,15 +24,15 @@ namespace CGAL {
 namespace Surface_mesh_spline_conversion {
 namespace internal {
 
-// Maps points of a proxy mesh to its original: along the normals, which are interpolated between
-// the vertices, from a vertex of the face on. Points of the boundary go to the boundary point with
-// the same arc length; near the boundary, faces are warped such that both fit.
+// Maps points of a proxy mesh to its original, unfolded: along the normals, which are interpolated
+// between the vertices, from a vertex of the face on. Points of the boundary go to the boundary point
+// with the same arc length; near the boundary, faces are warped such that both fit.
 class Proxy_projection
 {
 public:
   // \pre `proxy` outlives this object
   explicit Proxy_projection(const Proxy_mesh& proxy)
-    : m_proxy(&proxy), m_walk(*proxy.original), m_chains(*proxy.original)
+    : m_proxy(&proxy), m_walk(*proxy.unfolded), m_chains(*proxy.unfolded)
   {
     for(int f = 0; f < proxy.mesh.number_of_faces(); ++f)
     {
@@ -71,10 +71,8 @@ public:
     return m_walk.project(q, n, m_proxy->place[t[nearest]].face);
   }
 
-  Eigen::Vector3d point(const Working_location& on_original) const
-  {
-    return m_walk.point(on_original);
-  }
+  // on the unfolded original
+  Eigen::Vector3d point(const Working_location& at) const { return m_walk.point(at); }
 
 private:
   // of barycentric coordinates

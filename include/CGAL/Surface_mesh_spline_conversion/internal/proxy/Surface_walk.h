@@ -76,9 +76,7 @@ public:
 
   Eigen::Vector3d point(const Working_location& location) const
   {
-    const std::array<Eigen::Vector3d, 3> t = corners(location.face);
-    return location.barycentric[0] * t[0] + location.barycentric[1] * t[1]
-           + location.barycentric[2] * t[2];
+    return point_at(*m_mesh, location);
   }
 
   // the point where the line through `q` in the direction `n` meets the mesh, or the closest point

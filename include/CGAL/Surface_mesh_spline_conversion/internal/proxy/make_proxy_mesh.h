@@ -13,8 +13,10 @@
 
 #include <CGAL/Surface_mesh_spline_conversion/internal/map/limit_gradation.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/proxy/Isotropic_remesher.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/proxy/Projection_fold_check.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/proxy/Proxy_mesh.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/proxy/Proxy_projection.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/proxy/Surface_unfolder.h>
 
 #include <Eigen/Core>
 
@@ -65,15 +67,15 @@ public:
            || slivers > largest_share_of_slivers * m_original.number_of_faces();
   }
 
-  // Returns `false` if there is no proxy that passes the checks. The proxy of a surface that is
-  // itself folded, by noise, cannot pass in all faces: a few that are projected to both sides of a
-  // fold are accepted if nothing better is found.
+  // Returns `false` if there is no proxy that passes the checks. The projection from a proxy of a
+  // surface that is itself folded may have folds in a few faces.
   bool build(Proxy_mesh& proxy)
   {
     const int most_attempts = 4;
+    const std::size_t many = (std::numeric_limits<std::size_t>::max)(), tolerable_growth = 2;
     find_lengths();
     keep_corners_and_starts_of_chains();
-    std::size_t fewest_folds = (std::numeric_limits<std::size_t>::max)();
+    std::size_t fewest_folds = many, folds_before = many / tolerable_growth;
     Isotropic_remesher remesher(m_original, m_length, m_is_kept);
     for(int i = 0; i < most_attempts && fewest_folds > 0; ++i)
     {
@@ -86,10 +88,15 @@ public:
           break;
         fewest_folds = defects.folded.size();
         proxy = candidate;
+        proxy.is_folded = fewest_folds > 0;
       }
+      // smaller faces meet more of the folds of the original
+      if(defects.folded.size() > tolerable_growth * folds_before)
+        break;
+      folds_before = defects.folded.size();
       refine_near(candidate, defects);
     }
-    return fewest_folds < (std::numeric_limits<std::size_t>::max)();
+    return fewest_folds < many;
   }
 
 private:
@@ -173,10 +180,12 @@ private:
   Proxy_mesh make_proxy(const Isotropic_remesher& remesher) const
   {
     Proxy_mesh proxy;
-    proxy.original = m_shared_original;
+    proxy.original = proxy.unfolded = m_shared_original;
     proxy.mesh = remesher.mesh();
     proxy.place = remesher.places();
     proxy.normal = smoothed_normals(proxy.mesh, 0);
+    for(int v = 0; v < proxy.mesh.number_of_vertices(); ++v)
+      turn_to_all_faces(proxy.mesh, v, proxy.normal[v]);
     for(const Working_location& place : proxy.place)
     {
       const std::array<int, 3>& t = m_original.triangles[place.face];
@@ -186,61 +195,148 @@ private:
     return proxy;
   }
 
-  enum class Projection_quality { GOOD, FOLDED, TORN };
+  // Turns a direction at a vertex, such as the mean normal at a thin rim, until no face around is
+  // seen from behind or edge-on, if possible: a step towards the normal of the face seen worst.
+  static void turn_to_all_faces(const Working_mesh& mesh, int v, Eigen::Vector3d& direction)
+  {
+    const double least_cosine = 0.02, step = 0.1;
+    const int most_steps = 200;
+    std::vector<Eigen::Vector3d> normals;
+    mesh.for_each_outgoing(v, [&](int h) { normals.push_back(mesh.normal(h / 3).normalized()); });
+    const Eigen::Vector3d start = direction;
+    for(int i = 0; i < most_steps; ++i)
+    {
+      const auto worst = std::min_element(normals.begin(), normals.end(),
+        [&](const Eigen::Vector3d& m, const Eigen::Vector3d& n)
+        { return m.dot(direction) < n.dot(direction); });
+      if(worst->dot(direction) >= least_cosine)
+        return;
+      direction += (least_cosine - worst->dot(direction) + step / (i + 1)) * *worst;
+      direction.normalize();
+    }
+    direction = start;
+  }
 
-  // faces of the proxy, and vertices of the original that belong to none of them
+  // faces of the proxy, faces of the original below the folded ones, and vertices of the original
+  // that belong to no face of the proxy
   struct Defects
   {
-    std::vector<int> folded, torn, uncovered;
+    std::vector<int> folded, torn, folded_original, uncovered;
   };
 
   static bool is_acceptable(const Proxy_mesh& proxy, const Defects& defects)
   {
-    const double largest_share_of_folds = 2e-3;
+    const double largest_share_of_folds = 5e-3;
     return defects.torn.empty() && defects.uncovered.empty()
            && defects.folded.size() <= largest_share_of_folds * proxy.mesh.number_of_faces();
   }
 
-  // Directions of projection that vary less cure most folds.
+  // Cures what folds it can. Directions of projection that vary less help most; what remains is
+  // mostly folded itself, unless there is so much that the proxy is too coarse.
   Defects repair_projection(Proxy_mesh& proxy) const
   {
-    const int most_rounds = 4;
-    const Proxy_projection projection(proxy);
+    const double largest_share = 0.02;
     std::vector<int> faces;
     for(int f = 0; f < proxy.mesh.number_of_faces(); ++f)
       faces.push_back(f);
-    Defects defects;
-    for(int round = 0;; ++round)
+    Defects defects = find_defects(proxy, faces);
+    for(const bool do_unfold : {false, true, true})
     {
-      defects = find_defects(proxy, projection, faces);
-      if(defects.folded.empty() || round == most_rounds)
+      if(defects.folded.empty()
+         || (do_unfold && defects.folded.size() > largest_share * proxy.mesh.number_of_faces()))
         break;
-      faces = smooth_directions(proxy, defects.folded);
+      Proxy_mesh candidate = proxy;
+      if(do_unfold)
+        unfold(candidate, defects);
+      else
+        cure_folds(candidate, defects, [&candidate](const Defects& present)
+          { smooth_directions(candidate, present.folded); });
+      Defects remaining = find_defects(candidate, faces);
+      if(remaining.folded.size() >= defects.folded.size())
+        continue;
+      defects = std::move(remaining);
+      proxy = std::move(candidate);
     }
     defects.uncovered = uncovered_vertices(proxy);
     return defects;
   }
 
-  // smooths the directions at the vertices of some faces, and returns all faces around
-  static std::vector<int> smooth_directions(Proxy_mesh& proxy, const std::vector<int>& faces)
+  // Applies `cure(defects)` a few times, to what is left.
+  template <typename Cure>
+  static void cure_folds(const Proxy_mesh& proxy, Defects defects, const Cure& cure)
   {
-    std::vector<int> vertices, affected;
-    for(const int f : faces)
-      vertices.insert(vertices.end(), proxy.mesh.triangles[f].begin(),
-                      proxy.mesh.triangles[f].end());
-    sort_and_unify(vertices);
-    const std::vector<Eigen::Vector3d> normal = proxy.normal;
+    const int rounds = 8;
+    const std::size_t most_folds = 2 * defects.folded.size();
+    for(int i = 0; i < rounds && !defects.folded.empty() && defects.folded.size() <= most_folds; ++i)
+    {
+      cure(defects);
+      defects = find_defects(proxy, faces_around(proxy.mesh, defects.folded));
+    }
+  }
+
+  // Unfolds the original, and lets the proxy follow.
+  void unfold(Proxy_mesh& proxy, const Defects& defects) const
+  {
+    Surface_unfolder unfolder(m_original, *proxy.unfolded);
+    proxy.unfolded = unfolder.mesh();
+    cure_folds(proxy, defects, [&](const Defects& present)
+    {
+      unfolder.unfold(present.folded_original);
+      follow_unfolded(proxy, present.folded);
+    });
+  }
+
+  // Places the vertices on the unfolded original, those of some faces near the means of their
+  // neighbors.
+  static void follow_unfolded(Proxy_mesh& proxy, const std::vector<int>& faces)
+  {
+    const Surface_walk walk(*proxy.unfolded);
+    const auto place_near = [&](int v, const Eigen::Vector3d& p)
+    {
+      proxy.place[v] = walk.project(p, proxy.normal[v], proxy.place[v].face);
+      proxy.mesh.points[v] = walk.point(proxy.place[v]);
+    };
+    for(int v = 0; v < proxy.mesh.number_of_vertices(); ++v)
+      if(!proxy.mesh.is_border_vertex(v) && walk.point(proxy.place[v]) != proxy.mesh.points[v])
+        place_near(v, proxy.mesh.points[v]);
+    const std::vector<int> vertices = vertices_of(proxy.mesh, faces);
     for(const int v : vertices)
+      if(!proxy.mesh.is_border_vertex(v))
+        place_near(v, mean_of_neighbors(proxy.mesh, v));
+    for(const int v : vertices)
+      turn_to_all_faces(proxy.mesh, v, proxy.normal[v]);
+  }
+
+  static void smooth_directions(Proxy_mesh& proxy, const std::vector<int>& faces)
+  {
+    const std::vector<Eigen::Vector3d> normal = proxy.normal;
+    for(const int v : vertices_of(proxy.mesh, faces))
     {
       proxy.mesh.for_each_outgoing(v, [&](int h)
-      {
-        proxy.normal[v] += normal[proxy.mesh.target(h)];
-        affected.push_back(h / 3);
-      });
+        { proxy.normal[v] += normal[proxy.mesh.target(h)]; });
       proxy.normal[v].normalize();
+      turn_to_all_faces(proxy.mesh, v, proxy.normal[v]);
     }
-    sort_and_unify(affected);
-    return affected;
+  }
+
+  // sorted
+  static std::vector<int> vertices_of(const Working_mesh& mesh, const std::vector<int>& faces)
+  {
+    std::vector<int> vertices;
+    for(const int f : faces)
+      vertices.insert(vertices.end(), mesh.triangles[f].begin(), mesh.triangles[f].end());
+    sort_and_unify(vertices);
+    return vertices;
+  }
+
+  // the faces with a vertex of one of some faces, sorted
+  static std::vector<int> faces_around(const Working_mesh& mesh, const std::vector<int>& faces)
+  {
+    std::vector<int> around;
+    for(const int v : vertices_of(mesh, faces))
+      mesh.for_each_outgoing(v, [&around](int h) { around.push_back(h / 3); });
+    sort_and_unify(around);
+    return around;
   }
 
   static void sort_and_unify(std::vector<int>& values)
@@ -249,60 +345,44 @@ private:
     values.erase(std::unique(values.begin(), values.end()), values.end());
   }
 
-  static Defects find_defects(const Proxy_mesh& proxy, const Proxy_projection& projection,
-                              const std::vector<int>& faces)
+  static Defects find_defects(const Proxy_mesh& proxy, const std::vector<int>& faces)
   {
+    const Proxy_projection projection(proxy);
+    Projection_fold_check fold_check(proxy);
     Defects defects;
     for(const int f : faces)
-      switch(projection_quality(proxy, projection, f))
-      {
-        case Projection_quality::GOOD: break;
-        case Projection_quality::FOLDED: defects.folded.push_back(f); break;
-        case Projection_quality::TORN: defects.torn.push_back(f); break;
-      }
+    {
+      if(fold_check.is_folded(f, defects.folded_original))
+        defects.folded.push_back(f);
+      if(is_torn(proxy, projection, f))
+        defects.torn.push_back(f);
+    }
+    sort_and_unify(defects.folded_original);
     return defects;
   }
 
-  // The images of small triangles of a face are oriented like it, and not much larger or far away.
-  static Projection_quality projection_quality(const Proxy_mesh& proxy,
-                                               const Proxy_projection& projection, int f)
+  // Are the images of some small triangles of a face much larger or far away?
+  static bool is_torn(const Proxy_mesh& proxy, const Proxy_projection& projection, int f)
   {
     constexpr int n = 3;
     const double largest_stretch = 4, largest_distance = 0.5;
-    const std::array<int, 3>& t = proxy.mesh.triangles[f];
-    const Eigen::Vector3d normal = proxy.mesh.normal(f);
     std::array<std::array<Eigen::Vector3d, n + 1>, n + 1> image;
     double longest = 0;
     for(int i = 0; i < 3; ++i)
       longest = (std::max)(longest, proxy.mesh.vector(3 * f + i).norm());
+    const double longest_image = largest_stretch * longest / n;
     for(int i = 0; i <= n; ++i)
       for(int j = 0; i + j <= n; ++j)
       {
-        const std::array<double, 3> b = {{double(n - i - j) / n, double(i) / n, double(j) / n}};
-        image[i][j] = projection.point(projection(Working_location{f, b}));
-        const Eigen::Vector3d p = b[0] * proxy.mesh.points[t[0]] + b[1] * proxy.mesh.points[t[1]]
-                                  + b[2] * proxy.mesh.points[t[2]];
-        if(!((image[i][j] - p).norm() <= largest_distance * longest))
-          return Projection_quality::TORN;
+        const Working_location at{f, {{double(n - i - j) / n, double(i) / n, double(j) / n}}};
+        image[i][j] = projection.point(projection(at));
+        if(!((image[i][j] - point_at(proxy.mesh, at)).norm() <= largest_distance * longest)
+           || (i > 0 && (image[i][j] - image[i - 1][j]).norm() > longest_image)
+           || (j > 0 && (image[i][j] - image[i][j - 1]).norm() > longest_image)
+           || (i > 0 && (image[i][j] - image[i - 1][j + 1]).norm() > longest_image))
+          return true;
       }
-    const double longest_image = largest_stretch * longest / n;
-    Projection_quality quality = Projection_quality::GOOD;
-    const auto check = [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b,
-                           const Eigen::Vector3d& c)
-    {
-      if((std::max)({(b - a).norm(), (c - b).norm(), (a - c).norm()}) > longest_image)
-        quality = Projection_quality::TORN;
-      else if(quality == Projection_quality::GOOD && !(normal.dot((b - a).cross(c - a)) > 0))
-        quality = Projection_quality::FOLDED;
-    };
-    for(int i = 0; i < n; ++i)
-      for(int j = 0; i + j < n; ++j)
-      {
-        check(image[i][j], image[i + 1][j], image[i][j + 1]);
-        if(i + j + 1 < n)
-          check(image[i + 1][j], image[i + 1][j + 1], image[i][j + 1]);
-      }
-    return quality;
+    return false;
   }
 
   // Every vertex of the original must be near a vertex of the proxy, on a way along edges.
