@@ -92,7 +92,7 @@ struct Field_attempt
   double proxy_refinement = 1;       // by how much the edges of the proxy are shorter than usual
   Mesh mesh = Mesh::CHOSEN;
   // the proxy, or null if the mesh itself is used: for attempts that differ only in the spacing
-  std::shared_ptr<std::optional<std::shared_ptr<const Proxy_mesh> > > known_proxy;
+  std::shared_ptr<std::optional<std::shared_ptr<const Proxy_mesh> > > known_proxy = nullptr;
 };
 
 inline bool is_proxy_wanted(const Proxy_builder&, bool choice) { return choice; }
