@@ -22,9 +22,7 @@
 #include <Eigen/Core>
 
 #include <array>
-#include <cmath>
 #include <cstddef>
-#include <memory>
 #include <numeric>
 #include <vector>
 
