@@ -185,6 +185,23 @@ public:
       }
   }
 
+  // Without any rounding: all quads at a vertex see the same point of the same face there, and so do
+  // both quads at a side, where they divide it in halves, quarters and eighths.
+  void check_agreement() const
+  {
+    std::map<std::size_t, Location> at_vertex;
+    for(std::size_t q = 0; q < m_layout.number_of_quads(); ++q)
+      for(int i = 0; i < 4; ++i)
+      {
+        const Location here = image(q, i, 0);
+        const Location first = at_vertex.emplace(m_layout.vertex(q, i), here).first->second;
+        assert(is_same(here, first));
+        const Side other = m_layout.neighbor(q, i);
+        for(int k = 1; k < 8 && !m_layout.is_border(q, i); ++k)
+          assert(is_same(image(q, i, k / 8.), image(other.first, other.second, 1 - k / 8.)));
+      }
+  }
+
   // Small steps in u and v turn counter clockwise in the face that contains them all. Returns the
   // share of the samples whose three points lie in one face.
   double check_orientation(int n) const
@@ -235,6 +252,18 @@ public:
   }
 
 private:
+  // of a point of a side
+  Location image(std::size_t quad, int i, double t) const
+  {
+    const std::array<double, 2> uv = on_side(i, t);
+    return m_layout.inverse_map()(quad, uv[0], uv[1]);
+  }
+
+  static bool is_same(const Location& a, const Location& b)
+  {
+    return a.face == b.face && a.barycentric == b.barycentric && a.point == b.point;
+  }
+
   static double distance(const Point_3& p, const Point_3& q)
   {
     return std::sqrt(CGAL::to_double(CGAL::squared_distance(p, q)));

@@ -135,6 +135,7 @@ std::size_t check(Working_mesh mesh, double size)
   checks.check_boundary(t.chain_lengths, t.is_closed);
   checks.check_points(3);
   checks.check_continuity(4);
+  checks.check_agreement();
   check_valences(layout);
   check_orientation(layout);
   std::size_t corners = 0;

@@ -75,6 +75,7 @@ void check_layout(const Mesh& mesh, const Network& network, const Layout& layout
     checks.check_boundary(lengths, is_closed);
   checks.check_points(3);
   checks.check_continuity(3);
+  checks.check_agreement();
 }
 
 // `size` is relative to the diameter

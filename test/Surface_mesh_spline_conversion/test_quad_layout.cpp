@@ -101,6 +101,7 @@ void check_layout(const Seamless_map& seamless, const SC::Integer_grid_map& map)
   checks.check_boundary(expected.chain_lengths, expected.is_closed);
   checks.check_points(5);
   checks.check_continuity(7);
+  checks.check_agreement();
   checks.check_orientation(5);
   // a grid only approximates the folds of the mesh, from below
   const double area = checks.relative_area(24);

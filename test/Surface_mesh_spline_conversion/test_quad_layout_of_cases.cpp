@@ -110,6 +110,7 @@ void test_case(const std::string& name, const std::vector<double>& relative_size
     checks.check_boundary(lengths, is_closed);
     checks.check_points(4);
     checks.check_continuity(5);
+    checks.check_agreement();
     assert(checks.check_orientation(4) > 0.9);
     // where quads hold many triangles, the sampled cells cut their edges: an error of first order
     const int samples_per_side = size < 0.1 ? 12 : 600;

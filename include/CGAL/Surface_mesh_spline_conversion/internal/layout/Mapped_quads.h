@@ -58,7 +58,7 @@ public:
 
   const Quad_grid& quads() const { return m_quads; }
 
-  // the point of the working mesh at the local coordinates (u,v) of a quad
+  // the point of the working mesh at the local coordinates (u,v) of a quad; neighbours agree exactly
   Working_location operator()(std::size_t quad, double u, double v) const
   {
     return m_vertex_smoothing(m_disk_smoothing(locate(quad, u, v)));
@@ -67,13 +67,15 @@ public:
 private:
   Working_location locate(std::size_t quad, double u, double v) const
   {
+    const Quad_grid::Place p
+      = m_quads.representative(Quad_grid::Place{static_cast<int>(quad), u, v});
     if(m_places.empty())
-      return m_locator(quad, u, v);
-    const Rectangle_composition::Quad_place& place = m_places[quad];
+      return m_locator(p.quad, p.u, p.v);
+    const Rectangle_composition::Quad_place& place = m_places[p.quad];
     const Rectangle_shears& shears = m_shears[place.rectangle];
-    const double t = place.j + v;
-    const double x = shears.x(place.i + u, t);
-    return m_locator(quad, x, shears.y(x, t));
+    const double t = place.j + p.v;
+    const double x = shears.x(place.i + p.u, t);
+    return m_locator(p.quad, x, shears.y(x, t));
   }
 
   const char* build_from_cells(const Integer_grid_map& igm, const Boundary_positions& positions)

@@ -85,14 +85,16 @@ public:
 
   const Quad_grid& quads() const { return m_quads; }
 
-  // the point of the working mesh at the local coordinates (u,v) of a quad
+  // the point of the working mesh at the local coordinates (u,v) of a quad; neighbours agree exactly
   Working_location operator()(std::size_t quad, double u, double v) const
   {
-    const std::size_t n = 3 * m_triangles.size();
+    const Quad_grid::Place at
+      = m_quads.representative(Quad_grid::Place{static_cast<int>(quad), u, v});
+    const int n = 3 * static_cast<int>(m_triangles.size());
     const Triangle_point p
-      = m_coarse.original(quad < n ? locate_in_rest(quad, u, v)
-                                   : locate_in_ring(m_intervals[(quad - n) / 2],
-                                                    ((quad - n) % 2 + u) / 2, v));
+      = m_coarse.original(at.quad < n ? locate_in_rest(at.quad, at.u, at.v)
+                                      : locate_in_ring(m_intervals[(at.quad - n) / 2],
+                                                       ((at.quad - n) % 2 + at.u) / 2, at.v));
     return Working_location{p.triangle, p.barycentric};
   }
 

@@ -36,6 +36,13 @@ struct Quad_grid
     double last = 0;
   };
 
+  // the point at the local coordinates (u,v) of a quad
+  struct Place
+  {
+    int quad;
+    double u, v;
+  };
+
   static constexpr int border = -1;  // the quad beyond a border side
   static constexpr int unknown = -2;
 
@@ -43,6 +50,7 @@ struct Quad_grid
   std::vector<std::array<Border, 4> > borders;
   std::vector<std::array<int, 4> > vertices;
   std::vector<int> valence;                 // per vertex: number of quads
+  std::vector<Side> first_corner;           // per vertex: the first quad and which of its corners
   std::vector<char> is_border_vertex;       // per vertex
   std::vector<int> mesh_vertex;             // per vertex: vertex of the working mesh there, or -1
 
@@ -78,6 +86,7 @@ struct Quad_grid
     none.fill(unknown);
     vertices.assign(neighbors.size(), none);
     valence.clear();
+    first_corner.clear();
     is_border_vertex.clear();
     for(int q = 0; q < number_of_quads(); ++q)
       for(int i = 0; i < 4; ++i)
@@ -98,6 +107,20 @@ struct Quad_grid
     return true;
   }
 
+  // The same point as seen from the first of the quads that have it in common. What is evaluated
+  // there is the same for all of them, without any rounding.
+  // \pre the vertices have been numbered
+  Place representative(const Place& place) const
+  {
+    Place p = is_corner(place) ? place : on_first_side(place);
+    if(!is_corner(p))
+      return p;
+    const int i = p.v == 0 ? int(p.u) : 3 - int(p.u);
+    const Side& first = first_corner[vertices[p.quad][i]];
+    return Place{first.first, first.second == 1 || first.second == 2 ? 1. : 0.,
+                 first.second >= 2 ? 1. : 0.};
+  }
+
   int euler_characteristic() const
   {
     int half_edges = 0;
@@ -108,6 +131,30 @@ struct Quad_grid
   }
 
 private:
+  static bool is_corner(const Place& p)
+  {
+    return (p.u == 0 || p.u == 1) && (p.v == 0 || p.v == 1);
+  }
+
+  // a place that is no corner, from the first quad at its side if it is on one
+  Place on_first_side(const Place& p) const
+  {
+    const int i = p.v == 0 ? 0 : p.u == 1 ? 1 : p.v == 1 ? 2 : p.u == 0 ? 3 : -1;
+    if(i < 0 || is_border(p.quad, i) || Side(p.quad, i) < neighbors[p.quad][i])
+      return p;
+    const Side& first = neighbors[p.quad][i];
+    // sides run along their coordinate (0 and 1) or against it, neighbours in opposite directions
+    const double x = i % 2 == 0 ? p.u : p.v;
+    const double y = (i < 2) == (first.second < 2) ? 1 - x : x;
+    switch(first.second)
+    {
+      case 0: return Place{first.first, y, 0};
+      case 1: return Place{first.first, 1, y};
+      case 2: return Place{first.first, y, 1};
+      default: return Place{first.first, 0, y};
+    }
+  }
+
   bool link_one_way(const Side& from, const Side& to)
   {
     Side& neighbor = neighbors[from.first][from.second];
@@ -147,6 +194,7 @@ private:
     const Side start = corner;
     const int id = number_of_vertices();
     valence.push_back(0);
+    first_corner.push_back(first);
     is_border_vertex.push_back(is_on_border);
     do
     {
