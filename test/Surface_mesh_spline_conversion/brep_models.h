@@ -203,4 +203,60 @@ inline Shell disk(double height)
   return grid_shell(1, 1, [points](std::size_t, std::size_t) { return points; });
 }
 
+// A plane patch over the open cylinder whose sides are C1 cubic splines with a double knot between each
+// two of `spans` arcs. Three sides follow the circle; in the first, inner control points are moved
+// across the circle by up to `wave` mm.
+inline Shell wavy_disk(int spans, double wave)
+{
+  const double radius = 20, angle = CGAL_PI / 2 / spans;
+  const double handle = radius * 4 / 3 * std::tan(angle / 4);
+  const int n = 2 * spans + 2;
+  const auto boundary = [=](int side, int k)
+  {
+    const double at = CGAL_PI * (2 * side - 3) / 4 + (k / 2) * angle;
+    const double along = (k == 0 || k == n - 1) ? 0 : (k % 2 == 1) ? handle : -handle;
+    const bool is_moved = side == 0 && k > 1 && k < n - 2;
+    const double r = radius + (is_moved ? wave * std::sin(double(k * k)) : 0);
+    return Point_3(r * std::cos(at) - along * std::sin(at),
+                   r * std::sin(at) + along * std::cos(at), 30);
+  };
+  std::vector<double> knots;
+  for(int i = 0; i <= spans; ++i)
+    knots.push_back(i);
+  std::vector<int> multiplicities(spans + 1, 2);
+  multiplicities.front() = multiplicities.back() = 4;
+  Shell::Face face;
+  face.surface.knots[0] = face.surface.knots[1]
+    = CGAL::Surface_mesh_spline_conversion::Knot_vector<double>(3, knots, multiplicities);
+  // inner control points by transfinite interpolation
+  for(int j = 0; j < n; ++j)
+    for(int i = 0; i < n; ++i)
+    {
+      const double s = double(i) / (n - 1), t = double(j) / (n - 1);
+      const auto from_origin = [&](int side, int k) { return boundary(side, k) - CGAL::ORIGIN; };
+      face.surface.control_points.push_back(
+        CGAL::ORIGIN + (1 - t) * from_origin(0, i) + s * from_origin(1, j)
+        + t * from_origin(2, n - 1 - i) + (1 - s) * from_origin(3, n - 1 - j)
+        - (1 - s) * (1 - t) * from_origin(0, 0) - s * (1 - t) * from_origin(1, 0)
+        - s * t * from_origin(2, 0) - (1 - s) * t * from_origin(3, 0));
+    }
+  Shell shell;
+  for(int side = 0; side < 4; ++side)
+    shell.add_vertex(boundary(side, 0));
+  for(int side = 0; side < 4; ++side)
+  {
+    Shell::Edge edge;
+    edge.source = side;
+    edge.target = (side + 1) % 4;
+    edge.curve.knots = face.surface.knots[0];
+    for(int k = 0; k < n; ++k)
+      edge.curve.control_points.push_back(boundary(side, k));
+    face.loop.push_back({shell.add_edge(edge), true});
+  }
+  face.patch = 0;
+  face.is_extraordinary = false;
+  shell.add_face(face);
+  return shell;
+}
+
 #endif // BREP_MODELS_H

@@ -38,6 +38,8 @@ void check_files(const TopoDS_Shape& shape, const SMSC::Stitching_report& report
     assert(again.solids == report.solids && again.shells == report.shells);
     assert(again.faces == report.faces && again.free_edges == 0 && again.is_valid);
     assert(std::abs(again.volume - report.volume) <= 1e-9 * report.volume);
+    // the curves in the parameter planes are kept, too
+    assert(again.edge_deviation <= report.edge_deviation * (1 + 1e-6) + 1e-10);
     assert(again.edge_tolerance <= report.edge_tolerance * (1 + 1e-9));
     assert(again.vertex_tolerance <= report.vertex_tolerance * (1 + 1e-9));
   }
@@ -111,6 +113,18 @@ void test_disk()
   check_files(solid, report);
 }
 
+// Edges that deviate more from the cylinder than the others, and change this from span to span.
+void test_wavy_disk()
+{
+  const double wave = 1e-3;
+  TopoDS_Shape solid;
+  SMSC::Stitching_report report;
+  assert(SMSC::stitch_with_BRep(wavy_disk(5, wave), open_cylinder(), 2 * wave, solid, report));
+  check_solid(report, 3);
+  assert(report.edge_deviation > wave / 2 && report.edge_deviation < wave);
+  check_files(solid, report);
+}
+
 // A shell that looks inwards becomes a solid with positive volume, too.
 void test_orientation()
 {
@@ -129,6 +143,7 @@ int main()
   test_window(3, 2);
   test_too_far();
   test_disk();
+  test_wavy_disk();
   test_orientation();
   return 0;
 }
