@@ -134,16 +134,24 @@ public:
   {
     Error_code code = try_mesh(Field_attempt());
     const bool has_proxy = m_field.proxy != nullptr;
+    const Field_attempt other{1, 1, Field_attempt::Mesh::OTHER};
+    // finer proxies of a mesh with fewer faces cost more than the mesh itself
+    const bool is_mesh_smaller
+      = has_proxy
+        && m_field.proxy->original->number_of_faces() < m_field.proxy->mesh.number_of_faces();
     std::vector<Field_attempt> attempts;
+    if(is_mesh_smaller)
+      attempts.push_back(other);
     if(m_is_folded)
       for(double refinement : {2., 4.})
         attempts.push_back(Field_attempt{1, refinement, Field_attempt::Mesh::CHOSEN});
-    attempts.push_back(Field_attempt{1, 1, Field_attempt::Mesh::OTHER});
+    if(!is_mesh_smaller)
+      attempts.push_back(other);
     for(std::size_t i = 0; i < attempts.size() && has_no_map(code); ++i)
     {
       code = try_mesh(attempts[i]);
-      // the mesh itself has been tried: neither is there a finer proxy nor another choice
-      if(has_proxy && !m_field.proxy)
+      // the mesh itself has taken its place: neither is there a finer proxy nor another choice
+      if(has_proxy && !m_field.proxy && attempts[i].mesh == Field_attempt::Mesh::CHOSEN)
         break;
     }
     return code;

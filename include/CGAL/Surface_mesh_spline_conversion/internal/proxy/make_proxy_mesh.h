@@ -75,11 +75,17 @@ public:
     const std::size_t many = (std::numeric_limits<std::size_t>::max)(), tolerable_growth = 2;
     find_lengths();
     keep_corners_and_starts_of_chains();
-    std::size_t fewest_folds = many, folds_before = many / tolerable_growth;
+    std::size_t fewest_folds = many, folds_before = many / tolerable_growth, most_faces = many;
     Isotropic_remesher remesher(m_original, m_length, m_is_kept);
     for(int i = 0; i < most_attempts && fewest_folds > 0; ++i)
     {
       remesher.run();
+      if(i == 0)
+        most_faces = tolerable_growth * (std::max)(m_original.triangles.size(),
+                                                   remesher.mesh().triangles.size());
+      // not local any more, and of no use beside the mesh itself
+      if(remesher.mesh().triangles.size() > most_faces)
+        break;
       Proxy_mesh candidate = make_proxy(remesher);
       const Defects defects = repair_projection(candidate);
       if(is_acceptable(candidate, defects))
