@@ -106,6 +106,23 @@ inline bool no_hole(int, int) { return false; }
 
 inline Eigen::Vector3d in_plane(double u, double v) { return Eigen::Vector3d(u, v, 0); }
 
+// The outline of a rectangle of 20 by 0.2: 20 steps along one side, one across, 20 back, one across.
+inline Eigen::Vector2d on_thin_rectangle(double u)
+{
+  const double x = u < 20 ? u : (u < 21 ? 20 : (u < 41 ? 41 - u : 0));
+  const double y = u < 20 ? 0 : (u < 21 ? (u - 20) * 0.2 : (u < 41 ? 0.2 : (42 - u) * 0.2));
+  return Eigen::Vector2d(x, y);
+}
+
+// A flat ring, inner radius 20, closed in both directions: u along the outline of its section, 24
+// steps of v around.
+inline Eigen::Vector3d on_thin_ring(double u, double v)
+{
+  const Eigen::Vector2d p = on_thin_rectangle(u);
+  const double angle = pi * v / 12;
+  return Eigen::Vector3d((20 + p[0]) * std::cos(angle), (20 + p[0]) * std::sin(angle), p[1]);
+}
+
 struct Input
 {
   std::string name;

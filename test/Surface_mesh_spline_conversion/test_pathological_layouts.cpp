@@ -177,17 +177,13 @@ void check_many_loops()
   check(6, 0.3);
 }
 
-// two walls at a distance of a hundredth of their size
+// two walls at a distance of a hundredth of their size, straight and round
 void check_thin_walls()
 {
-  const auto in_box = [](double u, double v)
-  {
-    // around the thin direction: 20 steps along one wall, one across, 20 back, one across
-    const double x = u < 20 ? u : (u < 21 ? 20 : (u < 41 ? 41 - u : 0));
-    const double z = u < 20 ? 0 : (u < 21 ? (u - 20) * 0.2 : (u < 41 ? 0.2 : (42 - u) * 0.2));
-    return Eigen::Vector3d(x, v, z);
-  };
-  check_valid("thin wall", to_surface_mesh(make_grid(42, 20, true, false, in_box, no_hole)));
+  check_valid("thin wall", to_surface_mesh(make_grid(42, 20, true, false, [](double u, double v)
+    { const Eigen::Vector2d p = on_thin_rectangle(u); return Eigen::Vector3d(p[0], v, p[1]); },
+    no_hole)));
+  check_valid("thin ring", to_surface_mesh(make_grid(42, 24, true, true, on_thin_ring, no_hole)));
 }
 
 // holes that are triangles of a fine lattice: some triangles have their corners on three loops

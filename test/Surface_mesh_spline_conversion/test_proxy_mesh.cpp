@@ -274,6 +274,17 @@ void test_noise()
   assert(check_projection(proxy) < 0.03);
 }
 
+// Along the rims of a ring with walls a hundredth of its width apart, any projection folds but from
+// a proxy with very many faces: it is given up before it outgrows the ring.
+void test_thin_ring()
+{
+  const Working_mesh ring = Test::make_grid(42, 24, true, true, Test::on_thin_ring, Test::no_hole);
+  const std::vector<double> sizes(ring.number_of_vertices(), 4);
+  Proxy_mesh proxy;
+  if(builder_of(ring, sizes).build(proxy))
+    assert(proxy.mesh.number_of_faces() <= 2 * ring.number_of_faces());
+}
+
 } // namespace
 
 int main()
@@ -284,5 +295,6 @@ int main()
   test_thin_wall();
   test_slivers();
   test_noise();
+  test_thin_ring();
   return 0;
 }

@@ -134,19 +134,7 @@ public:
   {
     Error_code code = try_mesh(Field_attempt());
     const bool has_proxy = m_field.proxy != nullptr;
-    const Field_attempt other{1, 1, Field_attempt::Mesh::OTHER};
-    // finer proxies of a mesh with fewer faces cost more than the mesh itself
-    const bool is_mesh_smaller
-      = has_proxy
-        && m_field.proxy->original->number_of_faces() < m_field.proxy->mesh.number_of_faces();
-    std::vector<Field_attempt> attempts;
-    if(is_mesh_smaller)
-      attempts.push_back(other);
-    if(m_is_folded)
-      for(double refinement : {2., 4.})
-        attempts.push_back(Field_attempt{1, refinement, Field_attempt::Mesh::CHOSEN});
-    if(!is_mesh_smaller)
-      attempts.push_back(other);
+    const std::vector<Field_attempt> attempts = further_attempts();
     for(std::size_t i = 0; i < attempts.size() && has_no_map(code); ++i)
     {
       code = try_mesh(attempts[i]);
@@ -158,6 +146,21 @@ public:
   }
 
 private:
+  // After a first attempt: finer proxies in place of a folded one, and the other mesh. The mesh
+  // itself comes first where it has fewer faces than its proxy: finer ones cost more.
+  std::vector<Field_attempt> further_attempts() const
+  {
+    std::vector<Field_attempt> attempts;
+    if(m_is_folded)
+      for(double refinement : {2., 4.})
+        attempts.push_back(Field_attempt{1, refinement, Field_attempt::Mesh::CHOSEN});
+    attempts.push_back(Field_attempt{1, 1, Field_attempt::Mesh::OTHER});
+    if(m_field.proxy
+       && m_field.proxy->original->number_of_faces() < m_field.proxy->mesh.number_of_faces())
+      std::rotate(attempts.begin(), attempts.end() - 1, attempts.end());
+    return attempts;
+  }
+
   Error_code try_mesh(Field_attempt on_mesh)
   {
     const int few_repairs = 1;
@@ -234,9 +237,10 @@ the quads of this map.
 Where the map fails, singularities are moved, and quads that are larger than the features of the
 shape are given singularities at smaller distances. Where the projection from a proxy turns out to
 have folds, finer proxies are tried; then the mesh itself in place of a proxy, or the other way
-round. What cannot fail comes last: the mesh is coarsened, a ring of quads is laid along each
-boundary loop, and each triangle in between is divided into three quads. Such a layout is valid, but
-has many extraordinary points; its corners are regular vertices even where the boundary is convex.
+round. The mesh itself comes before finer proxies if it has fewer faces than its proxy. What cannot
+fail comes last: the mesh is coarsened, a ring of quads is laid along each boundary loop, and each
+triangle in between is divided into three quads. Such a layout is valid, but has many extraordinary
+points; its corners are regular vertices even where the boundary is convex.
 `Conversion_report::Map::fallback` says which of these was needed.
 
 \tparam TriangleMesh a model of `HalfedgeListGraph` and `FaceListGraph`

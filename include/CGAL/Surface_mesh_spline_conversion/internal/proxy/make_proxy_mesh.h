@@ -68,23 +68,23 @@ public:
   }
 
   // Returns `false` if there is no proxy that passes the checks. The projection from a proxy of a
-  // surface that is itself folded may have folds in a few faces.
+  // surface that is itself folded may have folds in a few faces. Where folds are not local, the
+  // proxy would grow at each attempt: one that is much larger than the mesh is given up.
   bool build(Proxy_mesh& proxy)
   {
     const int most_attempts = 4;
     const std::size_t many = (std::numeric_limits<std::size_t>::max)(), tolerable_growth = 2;
     find_lengths();
     keep_corners_and_starts_of_chains();
-    std::size_t fewest_folds = many, folds_before = many / tolerable_growth, most_faces = many;
+    std::size_t fewest_folds = many, folds_before = many / tolerable_growth, most_faces = 0;
     Isotropic_remesher remesher(m_original, m_length, m_is_kept);
     for(int i = 0; i < most_attempts && fewest_folds > 0; ++i)
     {
       remesher.run();
+      const std::size_t present_faces = remesher.mesh().triangles.size();
       if(i == 0)
-        most_faces = tolerable_growth * (std::max)(m_original.triangles.size(),
-                                                   remesher.mesh().triangles.size());
-      // not local any more, and of no use beside the mesh itself
-      if(remesher.mesh().triangles.size() > most_faces)
+        most_faces = tolerable_growth * (std::max)(m_original.triangles.size(), present_faces);
+      if(present_faces > most_faces)
         break;
       Proxy_mesh candidate = make_proxy(remesher);
       const Defects defects = repair_projection(candidate);
