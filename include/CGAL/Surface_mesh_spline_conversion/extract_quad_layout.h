@@ -190,20 +190,24 @@ Error_code extract_quad_layout(const Integer_grid_map& map, const TriangleMesh& 
   internal::Mapped_quads quads;
   if(*quads.build(map) != 0)
     return Error_code::NO_QUAD_LAYOUT;
-  quads.smooth(map);
   const auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
                                     get_const_property_map(vertex_point, tm));
   const internal::Working_mesh& mesh = map.map.mesh;
   const auto corners = internal::face_corners(tm, vpm);
   if(!map.proxy)
   {
+    quads.smooth(map, [&](const internal::Working_location& at)
+      { return internal::surface_sample(mesh, at); });
     internal::set_layout(std::move(quads), mesh, corners, layout);
     return Error_code::OK;
   }
+  const auto image = std::make_shared<const internal::Proxy_image>(mesh, map.proxy);
+  quads.smooth(map, [&](const internal::Working_location& at)
+    { return internal::surface_sample(image->original(), (*image)(at)); });
   const internal::Quad_grid grid = quads.quads();
   internal::set_layout(grid, mesh, map.proxy->mesh.number_of_vertices(),
                        std::make_shared<const internal::Proxy_inverse_map<GeomTraits> >(
-                         std::move(quads), mesh, map.proxy, corners), layout);
+                         std::move(quads), image, corners), layout);
   return Error_code::OK;
 }
 

@@ -21,6 +21,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -29,19 +30,35 @@ namespace CGAL {
 namespace Surface_mesh_spline_conversion {
 namespace internal {
 
+// a point of a surface, and a normal of its face, of any length
+struct Surface_sample
+{
+  Eigen::Vector3d point, normal;
+};
+
+inline Surface_sample surface_sample(const Working_mesh& mesh, const Working_location& at)
+{
+  return Surface_sample{point_at(mesh, at), mesh.normal(at.face)};
+}
+
 // Motions of the surface around the corners of flat quads that are not convex or next to it, one
 // corner after the other, where these make the worst quad at the corner better. A quad may be as
 // the map wants it, and yet be inverted when it is drawn flat, as where the surface turns much
-// within it.
+// within it, or where the projection from a proxy displaces its corners. Quads are judged where the
+// layout has them, which is not on the proxy.
 class Vertex_smoothing
 {
 public:
+  // from a point of the working mesh to the one of the layout's surface, and a normal there
+  typedef std::function<Surface_sample(const Working_location&)> Image;
+
   Vertex_smoothing() {}
 
   // `locate`: the point of the working mesh at the local coordinates of a quad, before the motions
   template <typename Locate>
-  Vertex_smoothing(const Seamless_map& map, const Quad_grid& grid, const Locate& locate)
-    : m_motions_at(map.mesh.number_of_faces()), m_map(&map), m_grid(&grid)
+  Vertex_smoothing(const Seamless_map& map, const Quad_grid& grid, const Image& image,
+                   const Locate& locate)
+    : m_motions_at(map.mesh.number_of_faces()), m_map(&map), m_grid(&grid), m_image(image)
   {
     const int most_rounds = 8;
     locate_vertices(locate);
@@ -74,6 +91,9 @@ private:
   void locate_vertices(const Locate& locate)
   {
     m_vertices.assign(m_grid->number_of_vertices(), Working_location{-1, {{0, 0, 0}}});
+    m_points.resize(m_vertices.size());
+    m_middles.resize(m_grid->number_of_quads());
+    m_normals.resize(m_middles.size());
     m_quads_at.resize(m_grid->number_of_vertices());
     for(int q = 0; q < m_grid->number_of_quads(); ++q)
     {
@@ -82,18 +102,33 @@ private:
         const int v = m_grid->vertices[q][i];
         m_quads_at[v].push_back(q);
         if(m_vertices[v].face < 0)
-          m_vertices[v] = locate(q, i == 1 || i == 2, i >= 2);
+          move_vertex(v, locate(q, i == 1 || i == 2, i >= 2));
       }
-      m_middles.push_back(locate(q, 0.5, 0.5));
+      move_middle(q, locate(q, 0.5, 0.5));
     }
+  }
+
+  void move_vertex(int v, const Working_location& at)
+  {
+    m_vertices[v] = at;
+    m_points[v] = m_image(at).point;
+  }
+
+  void move_middle(int quad, const Working_location& at)
+  {
+    m_middles[quad] = at;
+    m_normals[quad] = m_image(at).normal;
   }
 
   void forget_construction()
   {
     m_map = nullptr;
     m_grid = nullptr;
+    m_image = Image();
     m_vertices.clear();
+    m_points.clear();
     m_middles.clear();
+    m_normals.clear();
     m_quads_at.clear();
   }
 
@@ -145,14 +180,14 @@ private:
         const double angle = 2 * pi * i / directions;
         const Eigen::Vector2d to
           = from + length * Eigen::Vector2d(std::cos(angle), std::sin(angle));
-        m_vertices[v] = disk->at_place(to);
+        move_vertex(v, disk->at_place(to));
         if(const double moved_shape = least_shape(m_quads_at[v]); moved_shape > best_shape)
         {
           best_shape = moved_shape;
           best = to;
         }
       }
-    m_vertices[v] = old;
+    move_vertex(v, old);
     return best != from && disk->shift(from, best) && accept(disk);
   }
 
@@ -177,13 +212,15 @@ private:
     const std::vector<double> before = shapes_of(quads);
     const std::vector<Working_location> old_vertices = m_vertices, old_middles = m_middles;
     for(const int v : vertices)
-      m_vertices[v] = (*disk)(m_vertices[v]);
+      move_vertex(v, (*disk)(m_vertices[v]));
     for(const int q : middles)
-      m_middles[q] = (*disk)(m_middles[q]);
+      move_middle(q, (*disk)(m_middles[q]));
     if(!is_worst_change_better(before, shapes_of(quads)))
     {
-      m_vertices = old_vertices;
-      m_middles = old_middles;
+      for(const int v : vertices)
+        move_vertex(v, old_vertices[v]);
+      for(const int q : middles)
+        move_middle(q, old_middles[q]);
       return false;
     }
     for(const int f : disk->faces())
@@ -226,8 +263,8 @@ private:
   {
     std::array<Eigen::Vector3d, 4> points;
     for(int i = 0; i < 4; ++i)
-      points[i] = point_at(m_map->mesh, m_vertices[m_grid->vertices[quad][i]]);
-    return oriented_scaled_jacobian(points, m_map->mesh.normal(m_middles[quad].face));
+      points[i] = m_points[m_grid->vertices[quad][i]];
+    return oriented_scaled_jacobian(points, m_normals[quad]);
   }
 
   std::vector<std::shared_ptr<const Harmonic_disk> > m_motions; // one after the other
@@ -235,8 +272,11 @@ private:
   // during construction only
   const Seamless_map* m_map = nullptr;
   const Quad_grid* m_grid = nullptr;
+  Image m_image;
   std::vector<Working_location> m_vertices;     // per vertex of the grid
+  std::vector<Eigen::Vector3d> m_points;        // per vertex of the grid, on the layout's surface
   std::vector<Working_location> m_middles;      // per quad
+  std::vector<Eigen::Vector3d> m_normals;       // per quad, at its middle
   std::vector<std::vector<int> > m_quads_at;    // per vertex of the grid
 };
 
