@@ -1,0 +1,196 @@
+// Corners of flat quads are moved where the layout has them: on a plane square whose map and quads
+// are perfect, but which is displaced afterwards, as by the projection from a proxy, such that a
+// quad becomes inverted. By closed forms, without the measures of the library: all corners of all
+// displaced quads turn left after the motion, which fixes the boundary and keeps the orientation;
+// without displacement, nothing moves.
+
+#include "voxel_seamless_maps.h"
+
+#include <CGAL/Surface_mesh_spline_conversion/internal/layout/Vertex_smoothing.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <cstdint>
+
+using namespace Test;
+using internal::Quad_grid;
+using internal::Surface_sample;
+using internal::Vertex_smoothing;
+using internal::surface_sample;
+using internal::Working_location;
+
+namespace {
+
+const int size = 8, cells_per_quad = 4; // quads per side of the square
+const int n = size * cells_per_quad;
+const int bits = 20;                    // of the coordinates of the map
+
+// each quad has `cells_per_quad` x `cells_per_quad` cells of two faces
+Seamless_map make_square()
+{
+  Seamless_map map;
+  map.fractional_bits = bits;
+  for(int j = 0; j <= n; ++j)
+    for(int i = 0; i <= n; ++i)
+      map.mesh.points.push_back(Eigen::Vector3d(i, j, 0) / cells_per_quad);
+  const auto add = [&](const std::array<std::array<int, 2>, 3>& corners)
+  {
+    std::array<int, 3> t;
+    for(int i = 0; i < 3; ++i)
+    {
+      t[i] = corners[i][1] * (n + 1) + corners[i][0];
+      map.coordinates.push_back({{(std::int64_t(corners[i][0]) << bits) / cells_per_quad,
+                                  (std::int64_t(corners[i][1]) << bits) / cells_per_quad}});
+    }
+    map.mesh.parent.push_back(map.mesh.triangles.size());
+    map.mesh.triangles.push_back(t);
+  };
+  for(int j = 0; j < n; ++j)
+    for(int i = 0; i < n; ++i)
+    {
+      add({{{{i, j}}, {{i + 1, j}}, {{i + 1, j + 1}}}});
+      add({{{{i, j}}, {{i + 1, j + 1}}, {{i, j + 1}}}});
+    }
+  map.mesh.is_corner.assign(map.mesh.points.size(), 0);
+  const bool is_manifold = connect(map);
+  assert(is_manifold);
+  return map;
+}
+
+Quad_grid make_quads()
+{
+  Quad_grid grid;
+  for(int q = 0; q < size * size; ++q)
+    grid.add_quad();
+  for(int j = 0; j < size; ++j)
+    for(int i = 0; i < size; ++i)
+    {
+      const int q = j * size + i;
+      const bool is_linked
+        = (i == 0 ? grid.make_border({q, 3}) : grid.link({q, 3}, {q - 1, 1}))
+          && (j == 0 ? grid.make_border({q, 0}) : grid.link({q, 0}, {q - size, 2}))
+          && (i + 1 < size || grid.make_border({q, 1}))
+          && (j + 1 < size || grid.make_border({q, 2}));
+      assert(is_linked);
+    }
+  const bool is_complete = grid.number_vertices();
+  assert(is_complete);
+  return grid;
+}
+
+Working_location locate(double x, double y)
+{
+  const int i = (std::min)(n - 1, int(x * cells_per_quad));
+  const int j = (std::min)(n - 1, int(y * cells_per_quad));
+  const double s = x * cells_per_quad - i, t = y * cells_per_quad - j;
+  const int f = 2 * (j * n + i);
+  return s >= t ? Working_location{f, {{1 - s, s - t, t}}}
+                : Working_location{f + 1, {{1 - t, s, t - s}}};
+}
+
+Working_location locate(int quad, double u, double v)
+{
+  return locate(quad % size + u, quad / size + v);
+}
+
+// Moves the middle of the square by 0.98 quads along the diagonal, less around it, and nothing from
+// two quads on. It is one to one: of points on a line through the middle, it moves the one at
+// distance r by 0.98 (1 - r / 2)^2, whose derivative is less than 1.
+Eigen::Vector3d displaced(const Eigen::Vector3d& p)
+{
+  const double r = (p - Eigen::Vector3d(size, size, 0) / 2).norm();
+  const double share = (std::max)(0., 1 - r / 2);
+  return p + 0.98 * share * share * Eigen::Vector3d(1, 1, 0).normalized();
+}
+
+double cross(const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return a[0] * b[1] - a[1] * b[0]; }
+
+// the least sine of the corners of all quads, seen from above
+template <typename Place>
+double least_sine(const Place& place)
+{
+  double least = 1;
+  for(int q = 0; q < size * size; ++q)
+  {
+    const std::array<Eigen::Vector3d, 4> p
+      = {{place(q, 0, 0), place(q, 1, 0), place(q, 1, 1), place(q, 0, 1)}};
+    for(int i = 0; i < 4; ++i)
+      least = (std::min)(least, cross((p[(i + 1) % 4] - p[i]).normalized(),
+                                      (p[(i + 3) % 4] - p[i]).normalized()));
+  }
+  return least;
+}
+
+// small parts of the quads keep their orientation
+template <typename Place>
+void check_orientation(const Place& place)
+{
+  const int parts = 16;
+  for(int q = 0; q < size * size; ++q)
+    for(int j = 0; j < parts; ++j)
+      for(int i = 0; i < parts; ++i)
+      {
+        const auto at = [&](int k, int l) { return place(q, double(k) / parts, double(l) / parts); };
+        const Eigen::Vector3d p = at(i, j);
+        assert(cross(at(i + 1, j) - p, at(i, j + 1) - p) > 0);
+      }
+}
+
+void check_boundary(const Vertex_smoothing& smoothing)
+{
+  for(int i = 0; i <= n; ++i)
+  {
+    const double x = double(i) / cells_per_quad;
+    for(const Working_location& at
+        : {locate(x, 0), locate(double(size), x), locate(x, double(size)), locate(0, x)})
+    {
+      const Working_location moved = smoothing(at);
+      assert(moved.face == at.face && moved.barycentric == at.barycentric);
+    }
+  }
+}
+
+void test_displaced_quads()
+{
+  const Seamless_map map = make_square();
+  const Quad_grid grid = make_quads();
+  const auto image = [&](const Working_location& at)
+  { return Surface_sample{displaced(point_at(map.mesh, at)), Eigen::Vector3d::UnitZ()}; };
+  const Vertex_smoothing smoothing(map, grid, image, [](int q, double u, double v)
+    { return locate(q, u, v); });
+
+  assert(least_sine([&](int q, double u, double v) { return image(locate(q, u, v)).point; }) < 0);
+  const auto place = [&](int q, double u, double v)
+  { return image(smoothing(locate(q, u, v))).point; };
+  assert(least_sine(place) > 0.1);
+  check_orientation(place);
+  check_boundary(smoothing);
+}
+
+void test_undisplaced_quads()
+{
+  const Seamless_map map = make_square();
+  const auto image = [&](const Working_location& at)
+  { return surface_sample(map.mesh, at); };
+  const Vertex_smoothing smoothing(map, make_quads(), image, [](int q, double u, double v)
+    { return locate(q, u, v); });
+  for(int q = 0; q < size * size; ++q)
+    for(const double t : {0., 0.25, 0.7, 1.})
+    {
+      const Working_location at = locate(q, t, 1 - t), moved = smoothing(at);
+      assert(moved.face == at.face && moved.barycentric == at.barycentric);
+    }
+}
+
+} // namespace
+
+int main()
+{
+  test_displaced_quads();
+  test_undisplaced_quads();
+  return 0;
+}
