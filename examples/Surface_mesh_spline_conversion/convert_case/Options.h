@@ -37,6 +37,7 @@ struct Options
   bool do_coarsen = false;
   bool do_fair = false;
   bool do_certify = false;
+  bool has_smooth_target = false;
   bool is_tangent = false;
   bool is_quiet = false;
   bool asks_for_help = false;
@@ -68,6 +69,8 @@ inline const char* usage()
     "  --coarsen          look for a surface with fewer patches after the fit\n"
     "  --fair             even out the curvature within the tolerances\n"
     "  --certify          prove a bound of the distance from the surface to the mesh\n"
+    "  --smooth-target    fit curved triangles instead of the facets of the mesh: D is the distance\n"
+    "                     from them\n"
     "  --error-metric M   parametric, reprojected (default), or hausdorff\n"
     "  --no-merge         one face per Bezier element in the STEP file\n"
     "  --quiet            no progress on the standard error stream\n"
@@ -139,6 +142,7 @@ inline std::string parse_options(const std::vector<std::string>& arguments, Opti
     {"--coarsen", [&options] { options.do_coarsen = true; }},
     {"--fair", [&options] { options.do_fair = true; }},
     {"--certify", [&options] { options.do_certify = true; }},
+    {"--smooth-target", [&options] { options.has_smooth_target = true; }},
     {"--no-merge", [&options] { options.do_merge = false; }},
     {"--quiet", [&options] { options.is_quiet = true; }},
     {"--help", [&options] { options.asks_for_help = true; }}};

@@ -81,6 +81,8 @@ struct Conversion_report
     double mean_deviation = not_measured;        ///< mean over the samples
     double fraction_within_delta = not_measured; ///< share of the samples, in `[0,1]`
     double certified_bound = not_measured;       ///< proved bound from surface to mesh, if asked for
+    double target_deviation = not_measured;      ///< distance to the smooth target, if there is one
+    double target_height = not_measured;         ///< bound of the target's distance from the mesh
     /// place of the largest deviation
     std::array<double, 3> worst = {{not_measured, not_measured, not_measured}};
   };

@@ -14,14 +14,18 @@
 #include <CGAL/Surface_mesh_spline_conversion/Boundary_curve_network_3.h>
 #include <CGAL/Surface_mesh_spline_conversion/Quad_layout.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/named_parameters.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/patches/Curved_facets.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/patches/Layout_boundary.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/patches/Mesh_projection.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/patches/quad_sides.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/to_eigen.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/number_utils.h>
 #include <CGAL/squared_distance_3.h>
+
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <array>
@@ -45,6 +49,11 @@ layout plus a displacement that blends the gaps between the curves and the bound
 The parameter of a boundary chain runs by one along each quad side. It is related to the arc length
 by a function that is \f$ C^2 \f$ and monotone: the vertices of the layout slide along the curves,
 and the inverse map is warped accordingly in the quads with a boundary side.
+
+Optionally, the faces of the mesh are replaced by curved triangles, which interpolate the vertices and
+normals estimated there: the *smooth target*. It is meant for tolerances below the height of the facets,
+and ends in the same curves. At edges where the mesh turns by more than 40 degrees it coincides with
+the mesh.
 
 The class keeps references to the layout, to the mesh and to the network of curves.
 
@@ -91,6 +100,11 @@ public:
       \cgalParamType{`bool`}
       \cgalParamDefault{`true`}
     \cgalParamNEnd
+    \cgalParamNBegin{use_smooth_target}
+      \cgalParamDescription{whether curved triangles take the place of the faces of the mesh}
+      \cgalParamType{`bool`}
+      \cgalParamDefault{`false`}
+    \cgalParamNEnd
   \cgalNamedParamsEnd
 
   \pre every boundary side of the layout names a chain of the network
@@ -105,9 +119,11 @@ public:
   {
     using parameters::choose_parameter;
     using parameters::get_parameter;
-    m_mesh = std::make_shared<internal::Mesh_projection>(
-      tm, choose_parameter(get_parameter(np, internal_np::vertex_point),
-                           get_const_property_map(vertex_point, tm)));
+    const auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
+                                      get_const_property_map(vertex_point, tm));
+    m_mesh = std::make_shared<internal::Mesh_projection>(tm, vpm);
+    if(choose_parameter(get_parameter(np, internal_np::use_smooth_target), false))
+      m_curved = std::make_shared<internal::Curved_facets>(tm, vpm);
     find_quad_sizes();
     find_corner_displacements();
   }
@@ -196,7 +212,7 @@ public:
     }
     const Mesh_place place = place_on_mesh(quad, u, v);
     face = place.location.face;
-    return place.location.point + place.displacement;
+    return smooth_point(place.location) + place.displacement;
   }
 
   /*!
@@ -210,7 +226,10 @@ public:
   */
   Point_3 foot_point(const Point_3& p, size_type quad, const FT& u, const FT& v) const
   {
-    return foot_point(p, quad, place_on_mesh(quad, u, v));
+    const Mesh_place at = place_on_mesh(quad, u, v);
+    return foot_point(
+      p, quad, Foot{Mesh_projection::to_double_point(at.location.point), at.location.face},
+      at.displacement, smooth_point(at.location) + at.displacement);
   }
 
   /// returns the same point; `start` is `point(quad, u, v, face)`, which need not be found again.
@@ -219,11 +238,16 @@ public:
   {
     if(is_boundary_quad(quad))
       return foot_point(p, quad, u, v);
-    Mesh_place place{typename Layout::Location(), Vector_3(FT(0), FT(0), FT(0))};
-    place.location.point = start;
-    place.location.face = face;
-    return foot_point(p, quad, place);
+    const Mesh_projection::Point_3 q = Mesh_projection::to_double_point(start);
+    return foot_point(p, quad, Foot{has_smooth_target() ? m_mesh->closest_point(face, q) : q, face},
+                      Vector_3(FT(0), FT(0), FT(0)), start);
   }
+
+  /// returns `true` if the patches are made from curved triangles instead of the faces of the mesh.
+  bool has_smooth_target() const { return m_curved != nullptr; }
+
+  /// returns a bound of the distance of the curved triangles from the faces of the mesh, in model units.
+  FT smooth_target_height() const { return has_smooth_target() ? FT(m_curved->height()) : FT(0); }
 
   /// @}
   /// \name Mesh
@@ -252,6 +276,7 @@ private:
   typedef typename Layout_boundary::Quad_sides Quad_sides;
   typedef typename Layout_boundary::Quad_side Quad_side;
   typedef internal::Mesh_projection Mesh_projection;
+  typedef Mesh_projection::Foot Foot;
 
   // foot points are accepted up to this share of the size of a quad away from the target
   static constexpr double largest_move = 0.5;
@@ -324,7 +349,7 @@ private:
   {
     const std::array<FT, 2> uv = internal::from_side<FT>(i, t + slide, FT(0));
     return curve_point(side.chain, FT(double(side.index)) + t)
-           - inverse_map_across(quad, uv[0], uv[1]).point;
+           - smooth_point(inverse_map_across(quad, uv[0], uv[1]));
   }
 
   // section 2.3 of the paper: the mesh, warped by the slides, plus the blended displacements of
@@ -353,13 +378,43 @@ private:
     return Mesh_place{inverse_map_across(quad, warped_u, warped_v), displacement};
   }
 
-  Point_3 foot_point(const Point_3& p, size_type quad, const Mesh_place& start) const
+  // returns the point of the smooth target that belongs to a point of the mesh
+  Point_3 smooth_point(const typename Layout::Location& at) const
   {
-    const Mesh_projection::Point_3 query
-      = Mesh_projection::to_double_point(p - start.displacement);
-    const Mesh_projection::Foot hint{Mesh_projection::to_double_point(start.location.point),
-                                     start.location.face};
-    const Mesh_projection::Foot foot = (*m_mesh)(query, hint);
+    if(!has_smooth_target())
+      return at.point;
+    std::array<double, 3> b;
+    for(size_type i = 0; i < 3; ++i)
+      b[i] = CGAL::to_double(at.barycentric[i]);
+    const Eigen::Vector3d d = m_curved->displacement(at.face, b);
+    return at.point + Vector_3(FT(d[0]), FT(d[1]), FT(d[2]));
+  }
+
+  Mesh_projection::Vector_3 curved_displacement(const Foot& foot) const
+  {
+    const Eigen::Vector3d d
+      = m_curved->displacement(foot.face, m_mesh->barycentric(foot.face, foot.point));
+    return Mesh_projection::Vector_3(d[0], d[1], d[2]);
+  }
+
+  // Returns the point of the mesh closest to `query`; with the smooth target, the point of the mesh that
+  // belongs to about the closest one of the target: the displacement is taken to be the same around it.
+  Foot closest_foot(const Mesh_projection::Point_3& query, const Foot& hint) const
+  {
+    constexpr int number_of_rounds = 2;
+    if(!has_smooth_target())
+      return (*m_mesh)(query, hint);
+    Foot foot = hint;
+    for(int round = 0; round < number_of_rounds; ++round)
+      foot = (*m_mesh)(query - curved_displacement(foot), foot);
+    return foot;
+  }
+
+  // `hint`: a point of the mesh about below `start`; `displacement`: what the patch adds to the mesh
+  Point_3 foot_point(const Point_3& p, size_type quad, const Foot& hint,
+                     const Vector_3& displacement, const Point_3& start) const
+  {
+    const Foot foot = closest_foot(Mesh_projection::to_double_point(p - displacement), hint);
     // quads near extraordinary points may be much smaller than the others
     const double limit
       = largest_move * CGAL::to_double((std::max)(m_quad_sizes[quad], m_mean_quad_size));
@@ -367,9 +422,10 @@ private:
     const bool is_same_side
       = foot.face == hint.face || m_mesh->normal(foot.face) * m_mesh->normal(hint.face) > 0;
     if(!is_near || !is_same_side)
-      return start.location.point + start.displacement;
-    return Point_3(FT(foot.point.x()), FT(foot.point.y()), FT(foot.point.z()))
-           + start.displacement;
+      return start;
+    const Mesh_projection::Point_3 q
+      = has_smooth_target() ? foot.point + curved_displacement(foot) : foot.point;
+    return Point_3(FT(q.x()), FT(q.y()), FT(q.z())) + displacement;
   }
 
   static Vector_3 blended_corners(const Corner_displacements& corners, const FT& u, const FT& v)
@@ -383,6 +439,7 @@ private:
   const Network& m_network;
   Layout_boundary m_boundary;
   std::shared_ptr<const Mesh_projection> m_mesh;
+  std::shared_ptr<const internal::Curved_facets> m_curved; // null without smooth target
   std::vector<FT> m_quad_sizes;
   FT m_mean_quad_size = FT(0);
   std::vector<std::shared_ptr<Corner_displacements> > m_corner_displacements;

@@ -131,6 +131,15 @@ mesh to T-NURCC surface conversion*, Computers & Graphics 82 (2019).
     \cgalParamType{`bool`}
     \cgalParamDefault{`false`}
   \cgalParamNEnd
+  \cgalParamNBegin{use_smooth_target}
+    \cgalParamDescription{whether curved triangles through the vertices take the place of the faces of
+                           `tm`. Then \f$ \delta \f$ is the largest distance from them; the surfaces
+                           are within \f$ \delta \f$ plus the height of the triangles of the mesh, and
+                           the report tells all three. Meant for \f$ \delta \f$ below the sagitta of
+                           the faces.}
+    \cgalParamType{`bool`}
+    \cgalParamDefault{`false`}
+  \cgalParamNEnd
   \cgalParamNBegin{do_certify_interior}
     \cgalParamDescription{whether an upper bound of the distance from the surfaces to the mesh is
                            proved in the end, see `bound_interior_deviation()`}

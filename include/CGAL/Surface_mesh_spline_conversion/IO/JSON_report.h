@@ -59,6 +59,8 @@ inline void write_JSON_deviations(JSON_writer& json, const Conversion_report& re
   json.member("mean_deviation", report.interior.mean_deviation);
   json.member("fraction_within_delta", report.interior.fraction_within_delta);
   json.member("certified_bound", report.interior.certified_bound);
+  json.member("target_deviation", report.interior.target_deviation);
+  json.member("target_height", report.interior.target_height);
   json.member("worst", report.interior.worst);
   json.close('}');
 }

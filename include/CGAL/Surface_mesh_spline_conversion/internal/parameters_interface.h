@@ -30,6 +30,7 @@ CGAL_add_named_parameter(do_keep_large_corners_t, do_keep_large_corners, do_keep
 CGAL_add_named_parameter(use_proxy_mesh_t, use_proxy_mesh, use_proxy_mesh)
 CGAL_add_named_parameter(use_smooth_correspondence_t, use_smooth_correspondence,
                          use_smooth_correspondence)
+CGAL_add_named_parameter(use_smooth_target_t, use_smooth_target, use_smooth_target)
 #endif
 
 // parameters that CGAL already has and that this package accepts

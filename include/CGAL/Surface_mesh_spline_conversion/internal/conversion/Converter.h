@@ -170,7 +170,10 @@ private:
   Error_code fit(const Component& component, const Component_network& network,
                  const Quad_layout<Kernel>& layout, Conversion_report& part)
   {
-    const Target target(layout, network, component.mesh);
+    const Target target(layout, network, component.mesh,
+                        parameters::use_smooth_target(m_options.use_smooth_target));
+    if(target.has_smooth_target())
+      part.interior.target_height = CGAL::to_double(target.smooth_target_height());
     Surface surface(layout);
     if(surface.error() != Error_code::OK)
     {
@@ -192,6 +195,8 @@ private:
     const Error_code interior = fit_interior(fitter, surface, component, network, part);
     if(!is_surface(interior))
       return interior;
+    if(target.has_smooth_target())
+      part.interior.target_deviation = fitter.largest_error();
     if(m_options.do_certify)
       run("certify_interior", part, [&]() { return certify(surface, component, network, part); });
     count(surface, part);
@@ -281,7 +286,16 @@ private:
       part.interior.worst[i] = CGAL::to_double(deviation.interior_worst[i]);
     part.smoothness.max_normal_angle_degrees = CGAL::to_double(deviation.normal_angle_maximum);
     part.counts.nurbs_faces = shell.number_of_faces();
+    if(part.interior.max_deviation <= largest_deviation(part))
+      deviation.interior_violations.clear(); // those that the smooth target asks for
     return check_deviation(deviation, part);
+  }
+
+  // The interior tolerance is that of the target; this one is that of the mesh.
+  double largest_deviation(const Conversion_report& part) const
+  {
+    const double height = part.interior.target_height;
+    return m_options.interior_tolerance + (Conversion_report::is_measured(height) ? height : 0);
   }
 
   NURBS_shell_3<Kernel> extract_shell(const Surface& surface,
@@ -302,7 +316,7 @@ private:
     part.interior.certified_bound = CGAL::to_double(bound_interior_deviation(
       extract_shell(surface, network), component.mesh, network,
       parameters::interior_tolerance(m_options.interior_tolerance)));
-    if(part.interior.certified_bound > m_options.interior_tolerance)
+    if(part.interior.certified_bound > largest_deviation(part))
       part.warnings.push_back("the distance of the surface from the mesh is proved to be below "
                               + format_number(part.interior.certified_bound)
                               + " only, which is more than the tolerance");
@@ -342,7 +356,7 @@ private:
   {
     if(part.boundary.max_deviation > m_options.boundary_tolerance)
       part.message = "the boundary of the surface is farther from the curves than the tolerance";
-    else if(part.interior.max_deviation > m_options.interior_tolerance)
+    else if(part.interior.max_deviation > largest_deviation(part))
       part.message = "the surface is farther from the mesh than the tolerance";
     else if(deviation.faces_against_mesh > 0)
       part.message = "the surface is folded over: a face looks the other way than the mesh";

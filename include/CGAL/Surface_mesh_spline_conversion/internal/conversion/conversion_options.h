@@ -46,6 +46,7 @@ struct Conversion_options
   bool do_coarsen;
   bool do_fair;
   bool do_certify;
+  bool use_smooth_target;
 };
 
 // the normals beyond the boundary that the user gave, or an empty function
@@ -102,6 +103,8 @@ Conversion_options conversion_options(const NamedParameters& np, double diameter
     = choose_parameter(get_parameter(np, internal_np::do_fair_interior), false);
   options.do_certify
     = choose_parameter(get_parameter(np, internal_np::do_certify_interior), false);
+  options.use_smooth_target
+    = choose_parameter(get_parameter(np, internal_np::use_smooth_target), false);
   report.boundary_tolerance = options.boundary_tolerance;
   report.interior_tolerance = options.interior_tolerance;
   for(const double tolerance : {options.boundary_tolerance, options.interior_tolerance})

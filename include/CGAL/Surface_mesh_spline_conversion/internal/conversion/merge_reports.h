@@ -69,6 +69,8 @@ inline void merge_interior(const Conversion_report::Interior& part,
   whole.mean_deviation
     = weighted_mean(whole.mean_deviation, whole_weight, part.mean_deviation, part_weight);
   whole.certified_bound = larger(whole.certified_bound, part.certified_bound);
+  whole.target_deviation = larger(whole.target_deviation, part.target_deviation);
+  whole.target_height = larger(whole.target_height, part.target_height);
   whole.fraction_within_delta = weighted_mean(whole.fraction_within_delta, whole_weight,
                                               part.fraction_within_delta, part_weight);
 }

@@ -126,6 +126,13 @@ public:
     return m_boundary_code;
   }
 
+  // returns the largest distance between the surface and the target, which need not be the mesh
+  double largest_error() const
+  {
+    return Errors(m_surface, m_target, *m_samples,
+                  m_options.error_metric == Error_metric::PARAMETRIC, nullptr).largest().error;
+  }
+
   // takes the fit back, as if it had not been made fair
   void restore_fit() { m_fairing->restore(); }
 

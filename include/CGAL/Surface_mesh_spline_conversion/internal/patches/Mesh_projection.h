@@ -19,6 +19,7 @@
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_utils.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -86,6 +87,29 @@ public:
   {
     const Kernel::Triangle_3& t = m_triangles[face];
     return CGAL::cross_product(t[1] - t[0], t[2] - t[0]);
+  }
+
+  // returns the coordinates of a point of a face with respect to its corners
+  std::array<double, 3> barycentric(std::size_t face, const Point_3& p) const
+  {
+    const Kernel::Triangle_3& t = m_triangles[face];
+    const Vector_3 n = normal(face);
+    std::array<double, 3> result;
+    for(int i = 0; i < 3; ++i)
+      result[std::size_t(i)]
+        = CGAL::cross_product(t[i + 1] - p, t[i + 2] - p) * n / n.squared_length();
+    return result;
+  }
+
+  // returns a point of a face that is close to `p`, and the closest one if that is not on an edge
+  Point_3 closest_point(std::size_t face, const Point_3& p) const
+  {
+    std::array<double, 3> b = barycentric(face, p);
+    double sum = 0;
+    for(double& x : b)
+      sum += (x = (std::max)(x, 0.));
+    const Kernel::Triangle_3& t = m_triangles[face];
+    return t[0] + (b[1] / sum) * (t[1] - t[0]) + (b[2] / sum) * (t[2] - t[0]);
   }
 
   std::size_t number_of_faces() const { return m_triangles.size(); }
