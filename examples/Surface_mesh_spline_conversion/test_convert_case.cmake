@@ -93,6 +93,14 @@ if(NOT certified_bound LESS_EQUAL delta)
   message(SEND_ERROR "the distance from the mesh is not proved: ${certified_bound} > ${delta}")
 endif()
 
+expect(0 ${case} ${tolerances} --quiet --smooth-target --report ${OUTPUT}/g.json)
+file(READ ${OUTPUT}/g.json report)
+string(JSON target_deviation GET ${report} interior target_deviation)
+string(JSON delta GET ${report} delta)
+if(NOT target_deviation LESS_EQUAL delta)
+  message(SEND_ERROR "the smooth target is not met: ${target_deviation} > ${delta}")
+endif()
+
 # a winding ramp, whose corner has an interior angle of 450 degrees
 expect(0 ${DATA}/meshes/ramp.off ${tolerances} --quiet --report ${OUTPUT}/f.json)
 expect_status(f.json "ok")

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
+#include <string>
 #include <vector>
 
 namespace SC = CGAL::Surface_mesh_spline_conversion;
@@ -82,6 +83,23 @@ void test_warning()
   assert(unmeasured.warnings.empty());
 }
 
+// with a smooth target, the distance from the mesh counts, not the sagitta
+void test_warning_about_smooth_target()
+{
+  SC::Conversion_report report;
+  report.input.facet_sagitta = 0.01;
+  report.interior.target_height = 0.012;
+  report.interior.target_deviation = 0.0006;
+  report.interior.max_deviation = 0.001;
+  SC::internal::warn_about_facets(0.001, report);
+  assert(report.warnings.empty());
+  report.interior.max_deviation = 0.0075;
+  SC::internal::warn_about_facets(0.001, report);
+  assert(report.warnings.size() == 1);
+  for(const char* figure : {"0.001", "0.012", "0.0006", "0.0075"})
+    assert(report.warnings[0].find(figure) != std::string::npos);
+}
+
 int main()
 {
   typedef CGAL::Simple_cartesian<double> K;
@@ -89,5 +107,6 @@ int main()
   test_prisms<CGAL::Surface_mesh<K::Point_3>, K::Point_3>();
   test_prisms<CGAL::Polyhedron_3<Epick>, Epick::Point_3>();
   test_warning();
+  test_warning_about_smooth_target();
   return EXIT_SUCCESS;
 }

@@ -2,11 +2,14 @@
 // what a fit to them gains.
 #include "synthetic_layout.h"
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polyhedron_3.h>
 #include <CGAL/Surface_mesh_spline_conversion/fit_boundary.h>
 #include <CGAL/Surface_mesh_spline_conversion/fit_interior.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/edge_turn.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/patches/Curved_facets.h>
 #include <CGAL/T_NURCC_surface_3.h>
+#include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/boost/graph/generators.h>
 
 #include <Eigen/Core>
@@ -151,42 +154,52 @@ Surface sphere_cap()
 
 double distance_to_sphere(const Vector3d& p) { return p.norm() - 1; }
 
+// adds a point of the unit sphere, unless it is there
+Mesh::Vertex_index add_to_sphere(const Vector3d& p, Mesh& mesh)
+{
+  const Vector3d q = p.normalized();
+  for(const auto v : mesh.vertices())
+    if((SC::internal::to_eigen(mesh.point(v)) - q).norm() < 1e-9)
+      return v;
+  return mesh.add_vertex(Point(q[0], q[1], q[2]));
+}
+
+// each face becomes four, with vertices on the unit sphere
+Mesh subdivided_sphere(const Mesh& mesh)
+{
+  Mesh result;
+  for(const auto f : mesh.faces())
+  {
+    const std::array<Vector3d, 3> t = corners(mesh, f);
+    const auto a = add_to_sphere(t[0], result), b = add_to_sphere(t[1], result),
+      c = add_to_sphere(t[2], result), d = add_to_sphere(t[0] + t[1], result),
+      e = add_to_sphere(t[1] + t[2], result), g = add_to_sphere(t[2] + t[0], result);
+    result.add_face(a, d, g);
+    result.add_face(d, b, e);
+    result.add_face(g, e, c);
+    result.add_face(d, e, g);
+  }
+  return result;
+}
+
 void test_sphere()
 {
   const Input input(sphere_cap(), 3, 3, 3);
   const Distances cap = measure(input.mesh(), distance_to_sphere);
   assert(40 * cap.curved < cap.facets && 2 * cap.curved_at_border < cap.facets);
 
-  Mesh closed; // an icosahedron, twice subdivided
-  CGAL::make_icosahedron<Mesh, Point>(closed);
-  for(const auto v : closed.vertices())
-    closed.point(v) = CGAL::ORIGIN + (closed.point(v) - CGAL::ORIGIN)
-                                       / std::sqrt((closed.point(v) - CGAL::ORIGIN).squared_length());
-  for(int level = 0; level < 2; ++level)
-  {
-    Mesh fine;
-    const auto add = [&](const Vector3d& p)
-    {
-      const Vector3d q = p.normalized();
-      for(const auto v : fine.vertices())
-        if((SC::internal::to_eigen(fine.point(v)) - q).norm() < 1e-9)
-          return v;
-      return fine.add_vertex(Point(q[0], q[1], q[2]));
-    };
-    for(const auto f : closed.faces())
-    {
-      const std::array<Vector3d, 3> t = corners(closed, f);
-      const auto a = add(t[0]), b = add(t[1]), c = add(t[2]);
-      const auto d = add(t[0] + t[1]), e = add(t[1] + t[2]), g = add(t[2] + t[0]);
-      fine.add_face(a, d, g);
-      fine.add_face(d, b, e);
-      fine.add_face(g, e, c);
-      fine.add_face(d, e, g);
-    }
-    closed = fine;
-  }
+  Mesh icosahedron;
+  CGAL::make_icosahedron<Mesh, Point>(icosahedron);
+  const Mesh closed = subdivided_sphere(subdivided_sphere(icosahedron));
   const Distances sphere = measure(closed, distance_to_sphere);
   assert(25 * sphere.curved < sphere.facets);
+
+  CGAL::Polyhedron_3<CGAL::Exact_predicates_inexact_constructions_kernel> polyhedron;
+  CGAL::copy_face_graph(closed, polyhedron);
+  const double height = Curved_facets(closed, closed.points()).height();
+  const double other
+    = Curved_facets(polyhedron, get(CGAL::vertex_point, polyhedron)).height();
+  assert(std::abs(height - other) < 1e-12 && height < 1.3 * sphere.facets);
 }
 
 void test_torus()
@@ -206,18 +219,16 @@ void test_flat_mesh()
   assert(Curved_facets(input.mesh(), input.mesh().points()).height() == 0);
 }
 
-// A cylinder with flat ends: the edges between them stay, the ends stay flat, the rest becomes round.
-void test_features()
+// a cylinder with flat ends, from z = 0
+Mesh cylinder(std::size_t n, double height)
 {
-  constexpr std::size_t n = 24;
-  constexpr double height = 0.7;
   Mesh mesh;
   const auto lower = mesh.add_vertex(Point(0, 0, 0)), upper = mesh.add_vertex(Point(0, 0, height));
   std::vector<Mesh::Vertex_index> rings[3];
   for(std::size_t k = 0; k < 3; ++k)
     for(std::size_t i = 0; i < n; ++i)
     {
-      const double a = 2 * CGAL_PI * double(i) / n;
+      const double a = 2 * CGAL_PI * double(i) / double(n);
       rings[k].push_back(mesh.add_vertex(Point(std::cos(a), std::sin(a), height * double(k) / 2)));
     }
   for(std::size_t i = 0; i < n; ++i)
@@ -231,6 +242,15 @@ void test_features()
       mesh.add_face(rings[k][i], rings[k + 1][j], rings[k + 1][i]);
     }
   }
+  return mesh;
+}
+
+// The edges between the ends and the rest stay, the ends stay flat, the rest becomes round.
+void test_cylinder()
+{
+  constexpr std::size_t n = 24;
+  constexpr double height = 0.7;
+  const Mesh mesh = cylinder(n, height);
   const Curved_facets curved(mesh, mesh.points());
   check_continuity(mesh, curved);
   double gap_in_the_middle = 0;
@@ -244,7 +264,10 @@ void test_features()
         gap_in_the_middle = (std::max)(gap_in_the_middle, std::abs((p + d).head<2>().norm() - 1));
     });
   assert(10 * gap_in_the_middle < 1 - std::cos(CGAL_PI / n));
+}
 
+void test_box()
+{
   Mesh box;
   CGAL::make_hexahedron(Point(0, 0, 0), Point(2, 0, 0), Point(2, 1, 0), Point(0, 1, 0),
                         Point(0, 1, 3), Point(0, 0, 3), Point(2, 0, 3), Point(2, 1, 3), box);
@@ -332,7 +355,8 @@ int main()
   test_sphere();
   test_torus();
   test_flat_mesh();
-  test_features();
+  test_cylinder();
+  test_box();
   test_fit();
   return EXIT_SUCCESS;
 }

@@ -63,6 +63,49 @@ struct Deviation
   std::size_t faces_against_mesh = 0; ///< faces that look the other way than the mesh
 };
 
+namespace internal {
+
+// See measure_deviation() below. `limit`: deviations of the interior are violations above it, which need
+// not be the tolerance.
+template <typename K, typename TriangleMesh, typename VertexPointMap, typename BoundaryCurveNetwork>
+void measure_shell(const NURBS_shell_3<K>& shell, const TriangleMesh& tm, const VertexPointMap& vpm,
+                   const BoundaryCurveNetwork& network, double tolerance, double limit,
+                   Deviation<K>& deviation)
+{
+  constexpr double LARGEST_ANGLE = 1; // in degrees
+  auto point = [](const Eigen::Vector3d& p) { return typename K::Point_3(p.x(), p.y(), p.z()); };
+
+  const Boundary_deviation boundary = boundary_deviation(shell, network);
+  deviation.boundary_maximum = boundary.statistics.maximum;
+  deviation.boundary_mean = boundary.statistics.mean();
+  deviation.boundary_worst = point(boundary.statistics.worst);
+  deviation.worst_chain = boundary.chain;
+  deviation.worst_arc_length = boundary.arc_length;
+  deviation.corner_maximum = corner_deviation(shell, tm, vpm, network);
+
+  const Mesh_distance mesh(tm, vpm, network);
+  const std::vector<Bezier_piece> pieces = bezier_pieces(shell);
+  Interior_deviation interior(pieces, mesh, tolerance, limit);
+  interior.add_mesh(tm, vpm);
+  deviation.interior_maximum = interior.statistics().maximum;
+  deviation.interior_mean = interior.statistics().mean();
+  deviation.fraction_within = interior.statistics().fraction_within();
+  deviation.interior_worst = point(interior.statistics().worst);
+  deviation.interior_violations.clear();
+  for(const Eigen::Vector3d& p : interior.violations())
+    deviation.interior_violations.push_back(point(p));
+  deviation.faces_against_mesh = interior.number_of_faces_against_mesh();
+
+  const Normal_angles angles = normal_angles(shell, LARGEST_ANGLE);
+  deviation.normal_angle_maximum = angles.statistics.maximum;
+  deviation.normal_angle_worst = point(angles.statistics.worst);
+  deviation.normal_violations.clear();
+  for(const Eigen::Vector3d& p : angles.violations)
+    deviation.normal_violations.push_back(point(p));
+}
+
+} // namespace internal
+
 /*!
 \ingroup PkgSurfaceMeshSplineConversionRef
 
@@ -115,41 +158,12 @@ void measure_deviation(const NURBS_shell_3<K>& shell, const TriangleMesh& tm,
   using parameters::get_parameter;
 
   constexpr double DEFAULT_RELATIVE_TOLERANCE = 1e-3;
-  constexpr double LARGEST_ANGLE = 1; // in degrees
   auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
                               get_const_property_map(CGAL::vertex_point, tm));
   const double tolerance
     = CGAL::to_double(choose_parameter(get_parameter(np, internal_np::interior_tolerance),
                                        DEFAULT_RELATIVE_TOLERANCE * network.diameter()));
-  auto point = [](const Eigen::Vector3d& p) { return typename K::Point_3(p.x(), p.y(), p.z()); };
-
-  const internal::Boundary_deviation boundary = internal::boundary_deviation(shell, network);
-  deviation.boundary_maximum = boundary.statistics.maximum;
-  deviation.boundary_mean = boundary.statistics.mean();
-  deviation.boundary_worst = point(boundary.statistics.worst);
-  deviation.worst_chain = boundary.chain;
-  deviation.worst_arc_length = boundary.arc_length;
-  deviation.corner_maximum = internal::corner_deviation(shell, tm, vpm, network);
-
-  const internal::Mesh_distance mesh(tm, vpm, network);
-  const std::vector<internal::Bezier_piece> pieces = internal::bezier_pieces(shell);
-  internal::Interior_deviation interior(pieces, mesh, tolerance);
-  interior.add_mesh(tm, vpm);
-  deviation.interior_maximum = interior.statistics().maximum;
-  deviation.interior_mean = interior.statistics().mean();
-  deviation.fraction_within = interior.statistics().fraction_within();
-  deviation.interior_worst = point(interior.statistics().worst);
-  deviation.interior_violations.clear();
-  for(const Eigen::Vector3d& p : interior.violations())
-    deviation.interior_violations.push_back(point(p));
-  deviation.faces_against_mesh = interior.number_of_faces_against_mesh();
-
-  const internal::Normal_angles angles = internal::normal_angles(shell, LARGEST_ANGLE);
-  deviation.normal_angle_maximum = angles.statistics.maximum;
-  deviation.normal_angle_worst = point(angles.statistics.worst);
-  deviation.normal_violations.clear();
-  for(const Eigen::Vector3d& p : angles.violations)
-    deviation.normal_violations.push_back(point(p));
+  internal::measure_shell(shell, tm, vpm, network, tolerance, tolerance, deviation);
 }
 
 } // namespace Surface_mesh_spline_conversion

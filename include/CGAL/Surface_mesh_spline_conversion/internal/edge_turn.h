@@ -34,9 +34,9 @@ struct Edge_turn
   double sagitta = 0; // the distance between a facet and the arc that turns as much, see below
 };
 
-// returns the turn of an edge, which is zero at the boundary. With the heights h1 and h2 of both faces
-// over the edge and the angle a between their normals, the arc has the curvature 2 a / (h1 + h2), and
-// its chord the length h1 or h2.
+// returns the turn of an edge, which is zero at the boundary. With the heights h1 and h2 of both
+// faces over the edge and the angle a between their normals, the arc has the curvature
+// 2 a / (h1 + h2), and its chord the length h1 or h2.
 template <typename TriangleMesh, typename VertexPointMap>
 Edge_turn edge_turn(typename boost::graph_traits<TriangleMesh>::halfedge_descriptor h,
                     const TriangleMesh& tm, const VertexPointMap& vpm)

@@ -272,9 +272,9 @@ private:
                      const Component_network& network, Conversion_report& part,
                      Deviation<Kernel>& deviation)
   {
-    const auto tolerance = parameters::interior_tolerance(m_options.interior_tolerance);
     const NURBS_shell_3<Kernel> shell = extract_shell(surface, network);
-    measure_deviation(shell, component.mesh, network, deviation, tolerance);
+    measure_shell(shell, component.mesh, get(vertex_point, component.mesh), network,
+                  m_options.interior_tolerance, largest_deviation(part), deviation);
     part.boundary.max_deviation = CGAL::to_double(deviation.boundary_maximum);
     part.boundary.mean_deviation = CGAL::to_double(deviation.boundary_mean);
     locate_worst(deviation.boundary_worst, part);
@@ -286,8 +286,6 @@ private:
       part.interior.worst[i] = CGAL::to_double(deviation.interior_worst[i]);
     part.smoothness.max_normal_angle_degrees = CGAL::to_double(deviation.normal_angle_maximum);
     part.counts.nurbs_faces = shell.number_of_faces();
-    if(part.interior.max_deviation <= largest_deviation(part))
-      deviation.interior_violations.clear(); // those that the smooth target asks for
     return check_deviation(deviation, part);
   }
 

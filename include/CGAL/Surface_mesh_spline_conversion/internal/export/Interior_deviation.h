@@ -44,9 +44,10 @@ public:
   static constexpr double BAND = 3;
 
   /// \param bound deviations up to it count as within the tolerance
+  /// \param limit larger deviations are violations
   Interior_deviation(const std::vector<Bezier_piece>& pieces, const Mesh_distance& mesh,
-                     double bound)
-    : m_pieces(pieces), m_mesh(mesh)
+                     double bound, double limit)
+    : m_pieces(pieces), m_mesh(mesh), m_limit(limit)
   {
     m_statistics.bound = bound;
     std::vector<Piece_samples> parts(pieces.size());
@@ -82,7 +83,7 @@ public:
 
   const Deviation_statistics& statistics() const { return m_statistics; }
 
-  /// the places where the deviation exceeds the bound: the worst one of each piece, in their order
+  /// the places where the deviation exceeds the limit: the worst one of each piece, in their order
   std::vector<Eigen::Vector3d> violations() const
   {
     std::vector<Eigen::Vector3d> result;
@@ -109,7 +110,7 @@ private:
   static constexpr std::size_t NUMBER_OF_DIRECTIONS = 32;
 
   // Between samples the deviation may be that much larger: a crease of the mesh passes between them.
-  static constexpr double CLOSE_TO_BOUND = 0.75;
+  static constexpr double CLOSE_TO_LIMIT = 0.75;
 
   struct Sample
   {
@@ -231,13 +232,13 @@ private:
     }
   }
 
-  // the samples that come close to the bound, and the largest ones of a few pieces
+  // the samples that come close to the limit, and the largest ones of a few pieces
   std::vector<std::size_t> starts_of_climbs() const
   {
     std::vector<std::size_t> largest, result; // the largest of each piece
     for(std::size_t i = 0; i < m_samples.size(); ++i)
     {
-      if(m_deviations[i] > CLOSE_TO_BOUND * m_statistics.bound)
+      if(m_deviations[i] > CLOSE_TO_LIMIT * m_limit)
         result.push_back(i);
       if(i == 0 || m_samples[i].piece != m_samples[i - 1].piece)
         largest.push_back(i);
@@ -317,7 +318,7 @@ private:
 
   void note_violation(std::size_t piece, double deviation, const Eigen::Vector3d& p)
   {
-    if(!(deviation > m_statistics.bound))
+    if(!(deviation > m_limit))
       return;
     const auto entry = m_violations.emplace(piece, Violation{deviation, p}).first;
     if(deviation > entry->second.deviation)
@@ -326,6 +327,7 @@ private:
 
   const std::vector<Bezier_piece>& m_pieces;
   const Mesh_distance& m_mesh;
+  double m_limit;
   std::vector<Sample> m_samples;
   std::vector<Eigen::Vector3d> m_points;
   std::vector<double> m_deviations;
