@@ -355,7 +355,9 @@ private:
     if(part.boundary.max_deviation > m_options.boundary_tolerance)
       part.message = "the boundary of the surface is farther from the curves than the tolerance";
     else if(part.interior.max_deviation > largest_deviation(part))
-      part.message = "the surface is farther from the mesh than the tolerance";
+      part.message = m_options.use_smooth_target
+        ? "the surface is farther from the mesh than the smooth target and the tolerance allow"
+        : "the surface is farther from the mesh than the tolerance";
     else if(deviation.faces_against_mesh > 0)
       part.message = "the surface is folded over: a face looks the other way than the mesh";
     else if(deviation.normal_angle_maximum > 90)
