@@ -64,7 +64,8 @@ inline void warn_about_facets(double tolerance, Conversion_report& report)
   report.warnings.push_back("the interior tolerance " + format_number(tolerance)
     + " is below half the sagitta of the facets of the mesh, " + format_number(half_sagitta)
     + ": the surface follows the facets; " + std::to_string(report.counts.patches - before) + " of "
-    + std::to_string(report.counts.patches) + " patches were added for that; a smooth target (use_smooth_target, --smooth-target) avoids it");
+    + std::to_string(report.counts.patches) + " patches were added for that; a smooth target "
+    "(use_smooth_target, --smooth-target) avoids it");
 }
 
 } // namespace internal
