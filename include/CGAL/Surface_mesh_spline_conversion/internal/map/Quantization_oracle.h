@@ -99,19 +99,20 @@ private:
   {
     for(const Motorcycle_graph::Rectangle& rectangle : m_graph.rectangles)
     {
-      std::array<std::size_t, 2> size;
+      const std::array<std::vector<int>, 4>& sides = rectangle.sides;
+      const std::array<int, 2> size
+        = {{side_size(sides[0], lengths), side_size(sides[1], lengths)}};
+      if(side_size(sides[2], lengths) != size[0] || side_size(sides[3], lengths) != size[1])
+        return false;
       for(int direction = 0; direction < 2; ++direction)
-      {
-        get_side_points(rectangle.sides[direction], lengths, m_side[0]);
-        get_side_points(rectangle.sides[direction + 2], lengths, m_side[1]);
-        if(m_side[0].size() != m_side[1].size())
-          return false;
-        size[direction] = m_side[0].size() - 1;
         // the sides have no length if the other direction is to be collapsed as well
-        if(side_size(rectangle.sides[1 - direction], lengths) == 0)
-          for(std::size_t i = 0; i < m_side[0].size(); ++i)
+        if(size[1 - direction] == 0)
+        {
+          get_side_points(sides[direction], lengths, m_side[0]);
+          get_side_points(sides[direction + 2], lengths, m_side[1]);
+          for(int i = 0; i <= size[direction]; ++i)
             unite(m_side[0][i], m_side[1][size[direction] - i]);
-      }
+        }
     }
     return true;
   }
@@ -139,9 +140,17 @@ private:
       m_number_of_inner_points += (w - 1) * (h - 1);
       for(const std::vector<int>& side : rectangle.sides)
       {
-        get_side_points(side, lengths, m_side[0]);
-        for(std::size_t i = 0; i + 1 < m_side[0].size(); ++i)
-          m_classes[find(m_side[0][i])].angle += i == 0 ? 1 : 2;
+        int angle = 1; // at the first point, the corner of the rectangle
+        for(const int half_arc : side)
+        {
+          const int a = half_arc / 2;
+          if(lengths[a] == 0)
+            continue;
+          m_classes[find(m_graph.source(half_arc))].angle += angle;
+          angle = 2;
+          for(int i = 1; i < lengths[a]; ++i)
+            m_classes[find(m_first_point[a] + i - 1)].angle += angle;
+        }
       }
     }
   }
