@@ -403,10 +403,10 @@ private:
   {
     constexpr int number_of_rounds = 2;
     if(!has_smooth_target())
-      return (*m_mesh)(query, hint);
+      return (*m_mesh)(query, hint.face);
     Foot foot = hint;
     for(int round = 0; round < number_of_rounds; ++round)
-      foot = (*m_mesh)(query - curved_displacement(foot), foot);
+      foot = (*m_mesh)(query - curved_displacement(foot), foot.face);
     return foot;
   }
 

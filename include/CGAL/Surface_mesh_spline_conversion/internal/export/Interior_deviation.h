@@ -117,6 +117,7 @@ private:
     std::size_t piece;
     double u;
     double v;
+    std::size_t triangle; // of the mesh, the closest one
   };
 
   struct Piece_samples
@@ -178,15 +179,16 @@ private:
     const int nu = number_of_intervals(length(piece, 0)), nv = number_of_intervals(length(piece, 1));
     for(int b = 0; b <= 2 * nv; ++b)
       for(int a = b & 1; a <= 2 * nu; a += 2)
-        add_sample({i, a / (2. * nu), b / (2. * nv)}, a & 1, part);
+        add_sample({i, a / (2. * nu), b / (2. * nv), part.hint}, a & 1, part);
   }
 
-  void add_sample(const Sample& sample, bool is_center, Piece_samples& part) const
+  void add_sample(Sample sample, bool is_center, Piece_samples& part) const
   {
     const Bezier_piece& piece = m_pieces[sample.piece];
     const auto d = is_center ? piece.point_and_tangents(sample.u, sample.v)
                  : Bezier_piece::Point_and_tangents{{piece.point(sample.u, sample.v)}};
-    const Mesh_distance::Foot foot = m_mesh.foot(d[0], part.hint);
+    const Mesh_distance::Foot foot = m_mesh.foot(d[0], sample.triangle);
+    part.hint = sample.triangle;
     part.samples.push_back(sample);
     part.points.push_back(d[0]);
     part.deviations.push_back(excess(d[0], foot.distance));
@@ -263,7 +265,7 @@ private:
     Sample sample = m_samples[start];
     const Bezier_piece& piece = m_pieces[sample.piece];
     Summit summit{sample.piece, m_deviations[start], m_points[start]};
-    std::size_t hint = 0;
+    std::size_t hint = sample.triangle;
     for(double step = FIRST_STEP; step > LAST_STEP; )
     {
       bool has_improved = false;
@@ -272,10 +274,12 @@ private:
         const double u = clamped(sample.u + step * direction[0]);
         const double v = clamped(sample.v + step * direction[1]);
         const Eigen::Vector3d p = piece.point(u, v);
+        if(m_mesh.distance_to_triangle(p, hint) <= summit.deviation)
+          continue; // a bound of what is sought
         const double next = excess(p, m_mesh.foot(p, hint).distance);
         if(!(next > summit.deviation))
           continue;
-        sample = {sample.piece, u, v};
+        sample = {sample.piece, u, v, hint};
         summit.deviation = next;
         summit.place = p;
         has_improved = true;

@@ -84,8 +84,10 @@ public:
   Foot foot(const Eigen::Vector3d& p, std::size_t& hint) const
   {
     const Triangles::const_iterator begin = m_triangles.begin();
+    // only what is closer than the point of this triangle need be searched
     const auto start = Triangle_tree::Point_and_primitive_id(
-      begin[hint][0], begin + std::ptrdiff_t(hint));
+      Kernel().construct_projected_point_3_object()(begin[hint], point(p)),
+      begin + std::ptrdiff_t(hint));
     const auto closest = m_triangle_tree.closest_point_and_primitive(point(p), start);
     hint = std::size_t(closest.second - begin);
     const Kernel::Triangle_3& t = m_triangles[hint];

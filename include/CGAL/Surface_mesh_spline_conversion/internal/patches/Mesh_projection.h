@@ -73,12 +73,14 @@ public:
   Mesh_projection(const Mesh_projection&) = delete;
   Mesh_projection& operator=(const Mesh_projection&) = delete;
 
-  // returns the point of the mesh closest to `query`; `hint` is any point of the mesh, and the
-  // closer, the faster
-  Foot operator()(const Point_3& query, const Foot& hint) const
+  // returns the point of the mesh closest to `query`; the closer the face `hint` is, the faster.
+  // Only what is closer than the point of this face need be searched.
+  Foot operator()(const Point_3& query, std::size_t hint) const
   {
+    const Kernel::Triangle_3& triangle = m_triangles[hint];
     const auto result = m_tree.closest_point_and_primitive(
-      query, std::make_pair(hint.point, &m_triangles[hint.face]));
+      query, std::make_pair(Kernel().construct_projected_point_3_object()(triangle, query),
+                            &triangle));
     return Foot{result.first, static_cast<std::size_t>(result.second - m_triangles.data())};
   }
 
