@@ -1,0 +1,117 @@
+// Closest points of a mesh must not depend on where the search starts: those from any face as hint,
+// also one without area, against the distances to all triangles.
+#include <CGAL/Random.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh_spline_conversion/Boundary_curve_network_3.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/export/Mesh_distance.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/patches/Mesh_projection.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <iostream>
+#include <limits>
+#include <vector>
+
+namespace SMSC = CGAL::Surface_mesh_spline_conversion;
+typedef CGAL::Simple_cartesian<double> K;
+typedef K::Point_3 Point_3;
+typedef CGAL::Surface_mesh<Point_3> Mesh;
+
+// a tetrahedron whose bottom has a vertex in the middle of an edge: its face there has no area
+Mesh tetrahedron_with_flat_face()
+{
+  Mesh mesh;
+  const auto a = mesh.add_vertex(Point_3(0, 0, 0)), b = mesh.add_vertex(Point_3(2, 0, 0));
+  const auto c = mesh.add_vertex(Point_3(0, 2, 0)), d = mesh.add_vertex(Point_3(0, 0, 2));
+  const auto middle = mesh.add_vertex(Point_3(1, 0, 0));
+  mesh.add_face(a, c, b);
+  mesh.add_face(a, b, middle); // no area
+  mesh.add_face(a, middle, d);
+  mesh.add_face(middle, b, d);
+  mesh.add_face(b, c, d);
+  mesh.add_face(c, a, d);
+  return mesh;
+}
+
+// a bumpy torus of 12 times 12 cells
+Mesh torus()
+{
+  const int n = 12;
+  Mesh mesh;
+  for(int j = 0; j < n; ++j)
+    for(int i = 0; i < n; ++i)
+    {
+      const double u = 2 * CGAL_PI * i / n, v = 2 * CGAL_PI * j / n;
+      const double r = 0.8 + 0.2 * std::sin(3 * u) * std::cos(2 * v);
+      const double radius = 2 + r * std::cos(v);
+      mesh.add_vertex(Point_3(radius * std::cos(u), radius * std::sin(u), r * std::sin(v)));
+    }
+  const auto vertex = [](int i, int j) { return Mesh::Vertex_index(unsigned(j % n * n + i % n)); };
+  for(int j = 0; j < n; ++j)
+    for(int i = 0; i < n; ++i)
+    {
+      mesh.add_face(vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1));
+      mesh.add_face(vertex(i, j), vertex(i + 1, j + 1), vertex(i, j + 1));
+    }
+  return mesh;
+}
+
+std::vector<K::Triangle_3> triangles(const Mesh& mesh)
+{
+  std::vector<K::Triangle_3> result;
+  for(auto f : mesh.faces())
+  {
+    std::vector<Point_3> p;
+    for(auto v : vertices_around_face(mesh.halfedge(f), mesh))
+      p.push_back(mesh.point(v));
+    result.emplace_back(p[0], p[1], p[2]);
+  }
+  return result;
+}
+
+double smallest_distance(const std::vector<K::Triangle_3>& triangles, const Point_3& query)
+{
+  double result = (std::numeric_limits<double>::infinity)();
+  for(const K::Triangle_3& t : triangles)
+    result = (std::min)(result, std::sqrt(CGAL::squared_distance(query, t)));
+  return result;
+}
+
+void test(const Mesh& mesh, double reach, CGAL::Random& random)
+{
+  const std::vector<K::Triangle_3> all = triangles(mesh);
+  const SMSC::internal::Mesh_projection projection(mesh, mesh.points());
+  const SMSC::Boundary_curve_network_3<Mesh> network(mesh);
+  const SMSC::internal::Mesh_distance distance(mesh, mesh.points(), network);
+  for(int i = 0; i < 300; ++i)
+  {
+    const Point_3 query(random.get_double(-reach, reach), random.get_double(-reach, reach),
+                        random.get_double(-reach, reach));
+    const double expected = smallest_distance(all, query);
+    for(std::size_t hint = 0; hint < all.size(); ++hint)
+    {
+      const auto foot = projection(query, hint);
+      assert(std::abs(std::sqrt(CGAL::squared_distance(query, foot.point)) - expected) < 1e-13);
+      assert(CGAL::squared_distance(foot.point, all[foot.face]) < 1e-26);
+      std::size_t face = hint;
+      const Eigen::Vector3d p(query.x(), query.y(), query.z());
+      assert(std::abs(distance.foot(p, face).distance - expected) < 1e-13);
+      assert(std::abs(std::sqrt(CGAL::squared_distance(query, all[face])) - expected) < 1e-13);
+    }
+  }
+}
+
+int main()
+{
+  CGAL::Random random;
+  std::cout << "seed " << random.get_seed() << std::endl;
+  test(tetrahedron_with_flat_face(), 3, random);
+  test(torus(), 3, random);
+  return EXIT_SUCCESS;
+}
