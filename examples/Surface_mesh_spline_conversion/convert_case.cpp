@@ -151,8 +151,8 @@ Mesh_defect read_input(const Options& options, Case& input, std::vector<std::str
   return defect;
 }
 
-// The library tells the place of the largest deviation by chain and arc length; the report is to name
-// the curve of the case and its parameter.
+// The library tells the place of the largest deviation by chain and arc length; the report is to
+// name the curve of the case and its parameter.
 void name_worst_curve(const Case& input, const Network& network, Report::Boundary& boundary)
 {
   if(network.error() != SC::Error_code::OK || boundary.worst_curve >= network.number_of_chains())

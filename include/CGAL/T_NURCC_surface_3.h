@@ -46,7 +46,8 @@ rows 0 and 1 get a triple knot, or row 0 alone if one of these quads has an extr
 Away from the vertices of valence other than four (the *extraordinary points*), the surface is a
 T-spline, bicubic on every *Bezier element*, and twice continuously differentiable, except across
 the line above a corner with a triple knot: of two knot intervals, or one if only row 0 has it.
-Around an extraordinary point it is the limit surface of Catmull and Clark. All basis functions sum up to one.
+Around an extraordinary point it is the limit surface of Catmull and Clark. All basis functions sum
+up to one.
 
 A *patch* is a face of the control mesh that is not part of a 0-channel. Points of a patch are given
 in the local coordinates `(u,v)` in \f$ [0,1]^2 \f$ of its quad of the layout, in the orientation of
@@ -338,10 +339,10 @@ public:
   /// them, see `refine_boundary()`. A patch may occur more than once.
   void refine(const std::vector<Patch_split>& splits);
 
-  /// splits patches until none of them is longer, in `u` or in `v`, than one of the given rectangles
-  /// that it overlaps, and refines what has to be refined with them, see `refine_boundary()`. A new
-  /// surface that is refined to the patches of another one on the same layout, some of them merged,
-  /// is a coarser surface than that.
+  /// splits patches until none of them is longer, in `u` or in `v`, than one of the given
+  /// rectangles that it overlaps, and refines what has to be refined with them, see
+  /// `refine_boundary()`. A new surface that is refined to the patches of another one on the same
+  /// layout, some of them merged, is a coarser surface than that.
   void refine_to(const std::vector<Patch_origin>& rectangles);
 
   /// halves the knot intervals of the boundary that overlap the given spans, on row 0 alone, and

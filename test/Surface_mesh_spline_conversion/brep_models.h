@@ -203,9 +203,9 @@ inline Shell disk(double height)
   return grid_shell(1, 1, [points](std::size_t, std::size_t) { return points; });
 }
 
-// A plane patch over the open cylinder whose sides are C1 cubic splines with a double knot between each
-// two of `spans` arcs. Three sides follow the circle; in the first, inner control points are moved
-// across the circle by up to `wave` mm.
+// A plane patch over the open cylinder whose sides are C1 cubic splines with a double knot between
+// each two of `spans` arcs. Three sides follow the circle; in the first, inner control points are
+// moved across the circle by up to `wave` mm.
 inline Shell wavy_disk(int spans, double wave)
 {
   const double radius = 20, angle = CGAL_PI / 2 / spans;

@@ -106,7 +106,8 @@ inline bool no_hole(int, int) { return false; }
 
 inline Eigen::Vector3d in_plane(double u, double v) { return Eigen::Vector3d(u, v, 0); }
 
-// The outline of a rectangle of 20 by 0.2: 20 steps along one side, one across, 20 back, one across.
+// The outline of a rectangle of 20 by 0.2: 20 steps along one side, one across, 20 back, one
+// across.
 inline Eigen::Vector2d on_thin_rectangle(double u)
 {
   const double x = u < 20 ? u : (u < 21 ? 20 : (u < 41 ? 41 - u : 0));

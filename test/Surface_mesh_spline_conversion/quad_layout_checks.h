@@ -185,8 +185,8 @@ public:
       }
   }
 
-  // Without any rounding: all quads at a vertex see the same point of the same face there, and so do
-  // both quads at a side, where they divide it in halves, quarters and eighths.
+  // Without any rounding: all quads at a vertex see the same point of the same face there, and so
+  // do both quads at a side, where they divide it in halves, quarters and eighths.
   void check_agreement() const
   {
     std::map<std::size_t, Location> at_vertex;

@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
-// Traces lines along the edges of the quads from all extraordinary points inside, in all directions,
-// and from given corners of quads along the side that begins there; all lines advance at the same
-// speed and stop where they meet one that is there already, or the boundary.
+// Traces lines along the edges of the quads from all extraordinary points inside, in all
+// directions, and from given corners of quads along the side that begins there; all lines advance
+// at the same speed and stop where they meet one that is there already, or the boundary.
 class Separatrix_rectangles
 {
   typedef std::pair<std::size_t, int> Side; // quad and side; also its first corner

@@ -9,8 +9,8 @@
 // Thousands of random refinements of small surfaces. After each, 16 functions must live on every
 // regular Bezier element and sum up to one. On grids, where everything has global coordinates, the
 // extensions of T-junctions are traced anew and compared pair by pair, and the surface is evaluated
-// as the sum of all basis functions, by the recursion of Cox and de Boor; on small surfaces the rank
-// of the whole basis is computed.
+// as the sum of all basis functions, by the recursion of Cox and de Boor; on small surfaces the
+// rank of the whole basis is computed.
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/T_NURCC_surface_3.h>

@@ -1,4 +1,5 @@
-// Bounds of the distance from a bicubic face to a mesh: with known answers, and against dense samples.
+// Bounds of the distance from a bicubic face to a mesh: with known answers, and against dense
+// samples.
 
 #include "graph_mesh.h"
 

@@ -1,5 +1,5 @@
-// Tangency to the faces beyond the boundary: to planes and spheres, along some of the curves, and at
-// corners that exclude it.
+// Tangency to the faces beyond the boundary: to planes and spheres, along some of the curves, and
+// at corners that exclude it.
 #include "synthetic_layout.h"
 
 #include <CGAL/Surface_mesh_spline_conversion/Curve_on_surface_traits_3.h>
@@ -89,8 +89,8 @@ void test_band(const std::string& name, const Normal_at& normal, double angle_be
   assert(report.smoothness.tangency_conflicts == 0);
 }
 
-// Along all sides of a square, the normals of the shape itself are compatible with all corners. They
-// must not make the fit worse.
+// Along all sides of a square, the normals of the shape itself are compatible with all corners.
+// They must not make the fit worse.
 void test_compatible_corners()
 {
   const Surface shape = height_field(0.3);
@@ -107,7 +107,8 @@ void test_compatible_corners()
   assert(largest_angle(input, surface, normal) < 1e-6);
 }
 
-// A horizontal plane along one side is not that of the corners at its ends; it is reached in between.
+// A horizontal plane along one side is not that of the corners at its ends; it is reached in
+// between.
 void test_incompatible_corners()
 {
   const Input input(height_field(0.3), 24, 24, 2);

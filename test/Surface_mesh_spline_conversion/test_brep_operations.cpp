@@ -1,5 +1,6 @@
 // Operations of CAD users on the stitched window model, where gaps normal to the plane of the
-// window let them fail: the same operations on the exact model pass. And on the exact model of a case.
+// window let them fail: the same operations on the exact model pass. And on the exact model of a
+// case.
 #include "brep_models.h"
 
 #include <CGAL/Surface_mesh_spline_conversion/IO/BRep.h>
@@ -18,8 +19,8 @@
 
 namespace SMSC = CGAL::Surface_mesh_spline_conversion;
 
-// The case d2 is a prism, whose organic face is plane: a plane face in the free edge makes the exact
-// model.
+// The case d2 is a prism, whose organic face is plane: a plane face in the free edge makes the
+// exact model.
 TopoDS_Shape exact_prism()
 {
   TopoDS_Shape residual, result;
@@ -43,8 +44,8 @@ TopoDS_Shape exact_prism()
   return SMSC::internal::Solid_assembler(faces)();
 }
 
-// The boundary has hundreds of spans: quadrature with a fixed number of points misses this volume by
-// 4e-4, more than the accuracy to which both parts of a cut must fill the whole.
+// The boundary has hundreds of spans: quadrature with a fixed number of points misses this volume
+// by 4e-4, more than the accuracy to which both parts of a cut must fill the whole.
 void test_exact_prism()
 {
   const TopoDS_Shape prism = exact_prism();

@@ -1,5 +1,5 @@
-// Shells of T-NURCC surfaces: extraordinary points of all valences at all distances from the boundary,
-// corners of both kinds, further vertices on the boundary, files.
+// Shells of T-NURCC surfaces: extraordinary points of all valences at all distances from the
+// boundary, corners of both kinds, further vertices on the boundary, files.
 #include "block_layouts.h"
 #include "separatrix_rectangles.h"
 #include "shell_checks.h"
@@ -90,8 +90,8 @@ double largest_angle_at_corners(const Quad_layout& layout,
 }
 
 // Above a corner between two quads, moves the control points that give the direction of the line
-// between them, such that it lies in the plane of the tangents of the boundary, or has the given slope
-// against it.
+// between them, such that it lies in the plane of the tangents of the boundary, or has the given
+// slope against it.
 void straighten_corners(const Quad_layout& layout, CGAL::T_NURCC_surface_3<K>& surface,
                         double slope = 0)
 {
@@ -191,8 +191,8 @@ void test(const std::string& name, const Quad_layout& layout, long euler_charact
   }
 }
 
-// Where the line above a corner leaves the plane of the tangents of the boundary a little, its faces
-// do not; next to extraordinary points, and away from them.
+// Where the line above a corner leaves the plane of the tangents of the boundary a little, its
+// faces do not; next to extraordinary points, and away from them.
 void test_lines_out_of_the_tangent_plane(int m)
 {
   constexpr double tolerance = 2; // of which a tenth is for the faces at creases

@@ -1,5 +1,5 @@
-// Extraction from Catmull-Clark surfaces: topology, gaps, tangent planes, and the faces against limit
-// points that come from uniform subdivision of the whole mesh.
+// Extraction from Catmull-Clark surfaces: topology, gaps, tangent planes, and the faces against
+// limit points that come from uniform subdivision of the whole mesh.
 #include "Catmull_clark_cells.h"
 #include "shell_checks.h"
 
@@ -109,8 +109,8 @@ void test(int m, int depth)
     }
 }
 
-// Ribbons with arbitrary cross derivatives admit no smooth cap; what remains exact are the curves of
-// the outer sides and the spokes.
+// Ribbons with arbitrary cross derivatives admit no smooth cap; what remains exact are the curves
+// of the outer sides and the spokes.
 void test_ribbons_that_do_not_fit(int n)
 {
   typedef SMSC::internal::Cap_operator Cap_operator;

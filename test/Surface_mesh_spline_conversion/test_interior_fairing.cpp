@@ -1,5 +1,5 @@
-// Making a fitted surface fair: the energy against integrals known in closed form, and the normals of
-// a surface fitted to a rough mesh against those of the smooth shape.
+// Making a fitted surface fair: the energy against integrals known in closed form, and the normals
+// of a surface fitted to a rough mesh against those of the smooth shape.
 #include "synthetic_layout.h"
 
 #include <CGAL/Surface_mesh_spline_conversion/fit_boundary.h>

@@ -247,8 +247,8 @@ void test_coarsening()
   }
 }
 
-// After a refinement in one place the far control points keep their places, the near ones do not, and
-// the error is that of a measurement from nothing.
+// After a refinement in one place the far control points keep their places, the near ones do not,
+// and the error is that of a measurement from nothing.
 void test_local_fit()
 {
   typedef SC::internal::Interior_fitter<T_NURCC_surface, synthetic::Target, SC::Default_visitor>
@@ -287,8 +287,8 @@ void test_local_fit()
   assert(std::abs(error - report.interior.max_deviation) < 1e-12 * d);
 }
 
-// Larger weights of the patches that violate a tolerance by little leave fewer of them; the errors are
-// those of a measurement from nothing, and the boundary stays where it is.
+// Larger weights of the patches that violate a tolerance by little leave fewer of them; the errors
+// are those of a measurement from nothing, and the boundary stays where it is.
 void test_reweighted_fit()
 {
   typedef SC::internal::Interior_samples<T_NURCC_surface, synthetic::Target> Samples;

@@ -1,5 +1,5 @@
-// The figures of the quality of a layout agree with those calculated by hand: of two sheared squares,
-// whose lines turn at the common side, and of three rhombi about an extraordinary point.
+// The figures of the quality of a layout agree with those calculated by hand: of two sheared
+// squares, whose lines turn at the common side, and of three rhombi about an extraordinary point.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Simple_cartesian.h>

@@ -24,7 +24,8 @@ typedef SMSC::NURBS_curve_traits_3<K> Curve_traits;
 const double SIZE = 10;
 const int CELLS = 20;
 
-// two bicubic faces side by side over the square; `z(i,j)` moves control point i of 0 to 6, j of 0 to 3
+// two bicubic faces side by side over the square; `z(i,j)` moves control point i of 0 to 6, j of 0
+// to 3
 Shell two_faces(const std::function<double(int, int)>& z)
 {
   Shell shell;
@@ -159,8 +160,8 @@ int main()
   assert(0.5 < d.fraction_within && d.fraction_within < 0.95);
   assert(d.interior_violations.size() == 1 && d.interior_violations[0] == d.interior_worst);
 
-  // the same bump on many faces: each of them is found, though no sample on the grid of eighths exceeds
-  // the bound; the largest one is at (3/8,3/8)
+  // the same bump on many faces: each of them is found, though no sample on the grid of eighths
+  // exceeds the bound; the largest one is at (3/8,3/8)
   d = measure(face_grid(6, 0.3), 0.3 * 0.195);
   assert(std::pow(3 * 3. / 8 * std::pow(5. / 8, 2), 2) < 0.194);
   assert(d.interior_violations.size() == 36 && is_close(d.interior_maximum, 0.3 * 16 / 81, 1e-8));

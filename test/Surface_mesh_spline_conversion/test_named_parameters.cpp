@@ -1,5 +1,5 @@
-// The named parameters of the package: each one arrives, in every order of a chain, mixed with those
-// of CGAL; what is not given keeps its default; and functions of CGAL accept the chains.
+// The named parameters of the package: each one arrives, in every order of a chain, mixed with
+// those of CGAL; what is not given keeps its default; and functions of CGAL accept the chains.
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

@@ -1,6 +1,6 @@
-// Folds of the projection from a proxy are found, whatever their size: the proxy is a square with few
-// triangles, and its original is the same square with bumps of which it is known, or found by many
-// samples, whether the lines of projection meet them once. Unfolding makes the folds vanish.
+// Folds of the projection from a proxy are found, whatever their size: the proxy is a square with
+// few triangles, and its original is the same square with bumps of which it is known, or found by
+// many samples, whether the lines of projection meet them once. Unfolding makes the folds vanish.
 
 #include "generated_working_meshes.h"
 
@@ -89,8 +89,8 @@ bool is_folded(const Proxy_mesh& proxy)
 
 const Eigen::Vector3d middle(0.421875, 0.328125, 0); // a vertex of the original
 
-// A height field has no fold, however steep it is; a part that is shifted over its neighbor has one,
-// however small it is.
+// A height field has no fold, however steep it is; a part that is shifted over its neighbor has
+// one, however small it is.
 void test_bumps()
 {
   for(const double radius : {0.02, 0.1, 0.3})

@@ -1,6 +1,6 @@
-// The proxy of a mesh: it has the topology and the boundary chains of the original, its triangles are
-// well shaped and of the wanted size, its vertices lie on the original, and the projection back is a
-// map onto the original that follows the boundary by arc length.
+// The proxy of a mesh: it has the topology and the boundary chains of the original, its triangles
+// are well shaped and of the wanted size, its vertices lie on the original, and the projection back
+// is a map onto the original that follows the boundary by arc length.
 
 #include "generated_working_meshes.h"
 

@@ -1,5 +1,5 @@
-// Curved triangles in the place of facets: how close they come to the shape that the mesh samples, and
-// what a fit to them gains.
+// Curved triangles in the place of facets: how close they come to the shape that the mesh samples,
+// and what a fit to them gains.
 #include "synthetic_layout.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -54,8 +54,8 @@ void for_each_point(const Mesh& mesh, const Curved_facets& curved, Mesh::Face_in
     }
 }
 
-// vertices are interpolated, the triangles do not leave the faces by more than their height, and both
-// faces at an edge have the same curve
+// vertices are interpolated, the triangles do not leave the faces by more than their height, and
+// both faces at an edge have the same curve
 void check_continuity(const Mesh& mesh, const Curved_facets& curved)
 {
   for(const auto f : mesh.faces())
@@ -88,8 +88,8 @@ void check_continuity(const Mesh& mesh, const Curved_facets& curved)
   }
 }
 
-// the largest distances of the facets and of the curved triangles from a shape, away from the boundary
-// and at it
+// the largest distances of the facets and of the curved triangles from a shape, away from the
+// boundary and at it
 struct Distances
 {
   double facets = 0, curved = 0, curved_at_border = 0;

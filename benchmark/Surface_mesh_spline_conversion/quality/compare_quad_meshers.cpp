@@ -1,5 +1,6 @@
-// Runs this package and other quad meshers in turn on the same meshes, and measures the results with
-// the same functions. The others are given as command lines. Run it with --help for the options.
+// Runs this package and other quad meshers in turn on the same meshes, and measures the results
+// with the same functions. The others are given as command lines. Run it with --help for the
+// options.
 
 #include "../robustness/layout_run.h"
 

@@ -137,8 +137,8 @@ void add(const Faces& part, Faces& all)
   all.largest_aspect = (std::max)(all.largest_aspect, part.largest_aspect);
 }
 
-// Faces that are narrower than so many boundary tolerances, or so much longer than wide, are slivers:
-// kernels have difficulties with them.
+// Faces that are narrower than so many boundary tolerances, or so much longer than wide, are
+// slivers: kernels have difficulties with them.
 const double narrowest_face = 200, longest_face = 100;
 
 // Returns whether the faces are few and wide enough; the size of the file is only printed.

@@ -1,5 +1,5 @@
-// Generates open meshes as they come from volumes of voxels: trusses, tubes and plates of genus 0 to
-// 6 that end at the walls of a box, with noise and slivers. Same number, same mesh.
+// Generates open meshes as they come from volumes of voxels: trusses, tubes and plates of genus 0
+// to 6 that end at the walls of a box, with noise and slivers. Same number, same mesh.
 #ifndef ROBUSTNESS_INPUT_GENERATOR_H
 #define ROBUSTNESS_INPUT_GENERATOR_H
 

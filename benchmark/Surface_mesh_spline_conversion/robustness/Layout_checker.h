@@ -1,5 +1,5 @@
-// Judges quad layouts. Shares no code with the package: it sees plain arrays, and the inverse map as
-// a function.
+// Judges quad layouts. Shares no code with the package: it sees plain arrays, and the inverse map
+// as a function.
 #ifndef ROBUSTNESS_LAYOUT_CHECKER_H
 #define ROBUSTNESS_LAYOUT_CHECKER_H
 

@@ -1,6 +1,6 @@
-// The robustness driver of the map stage: computes quad layouts of many inputs at many sizes, each in
-// a process of its own with limits of time and memory, and has them judged by a checker that shares
-// no code with the package. Run it with --help for the options.
+// The robustness driver of the map stage: computes quad layouts of many inputs at many sizes, each
+// in a process of its own with limits of time and memory, and has them judged by a checker that
+// shares no code with the package. Run it with --help for the options.
 
 #include "layout_run.h"
 

@@ -86,8 +86,8 @@ private:
   std::vector<std::pair<std::string, double> > m_stages; // in the order in which they began
 };
 
-// Runs the stages from the field to the layout, and reports their times, the rung of the ladder, and
-// what the library says of the map.
+// Runs the stages from the field to the layout, and reports their times, the rung of the ladder,
+// and what the library says of the map.
 inline SC::Error_code compute_layout(const Network& network, double size, Layout& layout,
                                      Reporter& report)
 {

@@ -52,8 +52,8 @@ void for_each_figure(Figures& r, const Function& f)
     f(*x);
 }
 
-// The bytes that the process of the stitching sends: figures, length of the name of the method, this
-// name, and the message.
+// The bytes that the process of the stitching sends: figures, length of the name of the method,
+// this name, and the message.
 std::string packed(const Report& report, const std::string& message)
 {
   std::string bytes;

@@ -30,8 +30,8 @@ namespace Surface_mesh_spline_conversion {
 /*!
 \ingroup PkgSurfaceMeshSplineConversionOpenCascade
 
-The class `Free_edge_normals_3` is a functor for the normals of the faces of a boundary representation
-along its free edges. With points and tangents of curves it serves as named parameter
+The class `Free_edge_normals_3` is a functor for the normals of the faces of a boundary
+representation along its free edges. With points and tangents of curves it serves as named parameter
 `boundary_tangency` of `convert_to_T_NURCC()`. Copies share the edges.
 
 This needs Open CASCADE. If headers of both are included, those of \cgal must come first.
@@ -53,9 +53,10 @@ public:
       m_curves.emplace_back((*m_edges)[i].edge, (*m_edges)[i].face);
   }
 
-  /// returns the unit normal of the face at the point of its free edge that is closest to `p`. At the
-  /// common vertex of several edges it is the one whose tangent has the direction of `tangent` or the
-  /// opposite one. It is the null vector if there is no free edge, or the face has no normal there.
+  /// returns the unit normal of the face at the point of its free edge that is closest to `p`. At
+  /// the common vertex of several edges it is the one whose tangent has the direction of `tangent`
+  /// or the opposite one. It is the null vector if there is no free edge, or the face has no normal
+  /// there.
   Vector_3 operator()(const Point_3& p, const Vector_3& tangent) const
   {
     typedef typename K::FT FT;

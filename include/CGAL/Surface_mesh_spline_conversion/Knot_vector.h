@@ -127,7 +127,8 @@ private:
     }
   }
 
-  // turns the k-th derivatives of the functions of degree d-1 into the (k+1)-st of those of degree d
+  // turns the k-th derivatives of the functions of degree d-1 into the (k+1)-st of those of degree
+  // d
   void differentiate(std::size_t span, int d, std::array<FT, MAXIMUM_DEGREE + 1>& value) const
   {
     FT saved(0);

@@ -251,7 +251,8 @@ public:
     return n;
   }
 
-  /// returns the faces of each connected component; components are in the order of their first face.
+  /// returns the faces of each connected component; components are in the order of their first
+  /// face.
   std::vector<std::vector<size_type> > components() const
   {
     std::vector<size_type> root(m_faces.size());

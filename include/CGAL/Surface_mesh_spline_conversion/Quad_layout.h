@@ -83,7 +83,8 @@ public:
   /// a side of a quad: (quad, number of the side)
   typedef std::pair<size_type, int> Side;
 
-  /// The inverse map \f$ \varphi^{-1} \f$ of the layout: a homeomorphism from the quads to the mesh.
+  /// The inverse map \f$ \varphi^{-1} \f$ of the layout: a homeomorphism from the quads to the
+  /// mesh.
   struct Inverse_map
   {
     virtual ~Inverse_map() {}

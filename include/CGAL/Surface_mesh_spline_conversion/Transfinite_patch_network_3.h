@@ -50,10 +50,10 @@ The parameter of a boundary chain runs by one along each quad side. It is relate
 by a function that is \f$ C^2 \f$ and monotone: the vertices of the layout slide along the curves,
 and the inverse map is warped accordingly in the quads with a boundary side.
 
-Optionally, the faces of the mesh are replaced by curved triangles, which interpolate the vertices and
-normals estimated there: the *smooth target*. It is meant for tolerances below the height of the facets,
-and ends in the same curves. At edges where the mesh turns by more than 40 degrees it coincides with
-the mesh.
+Optionally, the faces of the mesh are replaced by curved triangles, which interpolate the vertices
+and normals estimated there: the *smooth target*. It is meant for tolerances below the height of the
+facets, and ends in the same curves. At edges where the mesh turns by more than 40 degrees it
+coincides with the mesh.
 
 The class keeps references to the layout, to the mesh and to the network of curves.
 
@@ -198,8 +198,8 @@ public:
     return point(quad, u, v, face);
   }
 
-  /// returns the same point; `face` becomes the position in `faces(tm)` of the face it is made from,
-  /// or the number of faces on the boundary.
+  /// returns the same point; `face` becomes the position in `faces(tm)` of the face it is made
+  /// from, or the number of faces on the boundary.
   Point_3 point(size_type quad, const FT& u, const FT& v, size_type& face) const
   {
     face = m_mesh->number_of_faces();
@@ -217,12 +217,12 @@ public:
 
   /*!
   returns the point of the patches that is closest to `p`, in the neighbourhood of the local
-  coordinates `(u,v)` of `quad`. In a quad with a boundary side, the displacement of the mesh is taken
-  to be that at `(u,v)` in this neighbourhood.
+  coordinates `(u,v)` of `quad`. In a quad with a boundary side, the displacement of the mesh is
+  taken to be that at `(u,v)` in this neighbourhood.
 
   If the closest point of the mesh is further away from the one at `(u,v)` than half the size
-  of the quad or of the mean quad, or lies on a face with opposite orientation, it belongs to another part of the mesh;
-  then `point(quad, u, v)` is returned.
+  of the quad or of the mean quad, or lies on a face with opposite orientation, it belongs to
+  another part of the mesh; then `point(quad, u, v)` is returned.
   */
   Point_3 foot_point(const Point_3& p, size_type quad, const FT& u, const FT& v) const
   {
@@ -246,7 +246,8 @@ public:
   /// returns `true` if the patches are made from curved triangles instead of the faces of the mesh.
   bool has_smooth_target() const { return m_curved != nullptr; }
 
-  /// returns a bound of the distance of the curved triangles from the faces of the mesh, in model units.
+  /// returns a bound of the distance of the curved triangles from the faces of the mesh, in model
+  /// units.
   FT smooth_target_height() const { return has_smooth_target() ? FT(m_curved->height()) : FT(0); }
 
   /// @}
@@ -397,8 +398,9 @@ private:
     return Mesh_projection::Vector_3(d[0], d[1], d[2]);
   }
 
-  // Returns the point of the mesh closest to `query`; with the smooth target, the point of the mesh that
-  // belongs to about the closest one of the target: the displacement is taken to be the same around it.
+  // Returns the point of the mesh closest to `query`; with the smooth target, the point of the mesh
+  // that belongs to about the closest one of the target: the displacement is taken to be the same
+  // around it.
   Foot closest_foot(const Mesh_projection::Point_3& query, const Foot& hint) const
   {
     constexpr int number_of_rounds = 2;
@@ -410,7 +412,8 @@ private:
     return foot;
   }
 
-  // `hint`: a point of the mesh about below `start`; `displacement`: what the patch adds to the mesh
+  // `hint`: a point of the mesh about below `start`; `displacement`: what the patch adds to the
+  // mesh
   Point_3 foot_point(const Point_3& p, size_type quad, const Foot& hint,
                      const Vector_3& displacement, const Point_3& start) const
   {

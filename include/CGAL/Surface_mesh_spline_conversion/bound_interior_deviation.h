@@ -29,10 +29,11 @@ namespace Surface_mesh_spline_conversion {
 returns an upper bound of the distance from a shell to the mesh it was made from.
 
 `measure_deviation()` finds the largest distance at samples, which is a lower bound; this function
-proves one for all points, up to rounding errors. On each polynomial piece of the shell, the distance
-from a triangle is at most that of the farthest control point. Pieces are bisected until this is below
-the interior tolerance, or, where a point is farther than the tolerance, at most one percent above its
-distance. Where the tolerance is met with a little to spare, it therefore is proved to be met.
+proves one for all points, up to rounding errors. On each polynomial piece of the shell, the
+distance from a triangle is at most that of the farthest control point. Pieces are bisected until
+this is below the interior tolerance, or, where a point is farther than the tolerance, at most one
+percent above its distance. Where the tolerance is met with a little to spare, it therefore is
+proved to be met.
 
 Points within three mean edge lengths of the boundary do not count: the mesh has chords there,
 and the surface has curves.

@@ -290,9 +290,9 @@ faces at most. If this fails, the mesh itself is used.
                     `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and
                     `%Vector_3` as value type}
     \cgalParamDefault{the zero vector everywhere}
-    \cgalParamExtra{where it is the zero vector the field is smooth and follows the curvature. At the
-                     boundary, alignment with the boundary comes first; a wish that disagrees with it
-                     moves the singularities, and so does one that is not smooth.}
+    \cgalParamExtra{where it is the zero vector the field is smooth and follows the curvature. At
+                     the boundary, alignment with the boundary comes first; a wish that disagrees
+                     with it moves the singularities, and so does one that is not smooth.}
   \cgalParamNEnd
   \cgalParamNBegin{do_keep_large_corners}
     \cgalParamDescription{whether a corner with an interior angle above a full turn keeps as many

@@ -35,8 +35,8 @@ namespace Surface_mesh_spline_conversion {
 /*!
 \ingroup PkgSurfaceMeshSplineConversionFunctions
 
-converts an open triangle mesh whose boundary lies on smooth curves to T-NURCC surfaces, one for each
-connected component of the mesh.
+converts an open triangle mesh whose boundary lies on smooth curves to T-NURCC surfaces, one for
+each connected component of the mesh.
 
 The boundary of the surfaces meets the curves within the boundary tolerance \f$ \xi \f$ and the
 corners of the boundary exactly; elsewhere the surfaces are closer to the mesh than the interior
@@ -55,8 +55,8 @@ mesh to T-NURCC surface conversion*, Computers & Graphics 82 (2019).
 \param halfedge_curve_map the curves at the boundary, see `Boundary_curve_network_3`
 \param traits the traits of the curves
 \param surfaces receives the surfaces in the order of the components. If a tolerance was not reached
-       they are the best valid ones, after any other error it holds those of the components that were
-       finished before.
+       they are the best valid ones, after any other error it holds those of the components that
+       were finished before.
 \param report receives the figures of the conversion, and a message if something went wrong
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
        below. Lengths are in model units. *D* is `smallest_enclosing_sphere_diameter(tm)`.
@@ -97,16 +97,17 @@ mesh to T-NURCC surface conversion*, Computers & Graphics 82 (2019).
   \cgalParamNBegin{vertex_is_constrained_map}
     \cgalParamDescription{the boundary vertices that are corners whatever the angle}
     \cgalParamType{a class model of `ReadablePropertyMap` with
-                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `bool` as
-                    value type}
+                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `bool`
+                    as value type}
     \cgalParamDefault{no vertex}
   \cgalParamNEnd
   \cgalParamNBegin{boundary_tangency}
-    \cgalParamDescription{a functor that returns the unit normal of the neighboring face at a point of
-                           a boundary curve; the surface becomes tangent to the face there. It returns
-                           the null vector where the surface need not be tangent to a face. The report
-                           tells the largest angle that remains. At a corner whose two curves exclude
-                           the normal, the surface is tangent behind the first patch only.}
+    \cgalParamDescription{a functor that returns the unit normal of the neighboring face at a point
+                           of a boundary curve; the surface becomes tangent to the face there. It
+                           returns the null vector where the surface need not be tangent to a face.
+                           The report tells the largest angle that remains. At a corner whose two
+                           curves exclude the normal, the surface is tangent behind the first patch
+                           only.}
     \cgalParamType{a class with the operator `Vector_3 operator()(const Curve_3& c, const FT& t) const`,
                     with the types of `BoundaryCurveTraits`, for instance the
                     `Construct_normal_on_curve_3` of `Curve_on_surface_traits_3`}
@@ -118,25 +119,25 @@ mesh to T-NURCC surface conversion*, Computers & Graphics 82 (2019).
     \cgalParamDefault{`Error_metric::REPROJECTED`}
   \cgalParamNEnd
   \cgalParamNBegin{do_coarsen_patches}
-    \cgalParamDescription{whether, after the fit, a surface with fewer patches is searched: patches are
-                           merged, and split again where the tolerances ask for it. This takes longer
-                           than the fit, and saves a few percent of the patches at most.}
+    \cgalParamDescription{whether, after the fit, a surface with fewer patches is searched: patches
+                           are merged, and split again where the tolerances ask for it. This takes
+                           longer than the fit, and saves a few percent of the patches at most.}
     \cgalParamType{`bool`}
     \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{do_fair_interior}
-    \cgalParamDescription{whether, after the fit, the variation of the curvature is reduced as far as the
-                           interior tolerance and the normals allow. The patches stay. This takes about
-                           as long as the fit.}
+    \cgalParamDescription{whether, after the fit, the variation of the curvature is reduced as far
+                           as the interior tolerance and the normals allow. The patches stay. This
+                           takes about as long as the fit.}
     \cgalParamType{`bool`}
     \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{use_smooth_target}
-    \cgalParamDescription{whether curved triangles through the vertices take the place of the faces of
-                           `tm`. Then \f$ \delta \f$ is the largest distance from them; the surfaces
-                           are within \f$ \delta \f$ plus the height of the triangles of the mesh, and
-                           the report tells all three. Meant for \f$ \delta \f$ below the sagitta of
-                           the faces.}
+    \cgalParamDescription{whether curved triangles through the vertices take the place of the faces
+                           of `tm`. Then \f$ \delta \f$ is the largest distance from them; the
+                           surfaces are within \f$ \delta \f$ plus the height of the triangles of
+                           the mesh, and the report tells all three. Meant for \f$ \delta \f$ below
+                           the sagitta of the faces.}
     \cgalParamType{`bool`}
     \cgalParamDefault{`false`}
   \cgalParamNEnd
@@ -165,8 +166,8 @@ mesh to T-NURCC surface conversion*, Computers & Graphics 82 (2019).
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return `Error_code::OK` if all tolerances are met, otherwise the reason; see the message of the report.
-        No exception is thrown because of the data.
+\return `Error_code::OK` if all tolerances are met, otherwise the reason; see the message of the
+        report. No exception is thrown because of the data.
 */
 template <typename TriangleMesh, typename HalfedgeCurveMap, typename BoundaryCurveTraits,
           typename K, typename NamedParameters = parameters::Default_named_parameters>
@@ -229,8 +230,8 @@ Error_code convert_to_T_NURCC(const TriangleMesh& tm, const HalfedgeCurveMap& ha
 /*!
 \ingroup PkgSurfaceMeshSplineConversionFunctions
 
-converts a closed triangle mesh to T-NURCC surfaces, one for each connected component. The parameters
-are those of the function above, without the ones that belong to the boundary.
+converts a closed triangle mesh to T-NURCC surfaces, one for each connected component. The
+parameters are those of the function above, without the ones that belong to the boundary.
 */
 template <typename TriangleMesh, typename K,
           typename NamedParameters = parameters::Default_named_parameters>

@@ -61,8 +61,8 @@ struct Cap_statistics
 
 namespace internal {
 
-// Subdivisions of patches at extraordinary points. Two suffice for caps of extraordinary points that
-// share an edge; each further one divides the deviation by three and more.
+// Subdivisions of patches at extraordinary points. Two suffice for caps of extraordinary points
+// that share an edge; each further one divides the deviation by three and more.
 constexpr int EXTRACTION_LEVELS = 6;
 
 // the share of the interior tolerance that caps may use
@@ -102,10 +102,10 @@ std::vector<Cell> surface_cells(const T_NURCC_surface_3<K>& surface)
 turns a T-NURCC surface into the faces of a boundary representation.
 
 Away from extraordinary points the surface is piecewise bicubic. Its pieces are merged to rectangles
-on which it is twice continuously differentiable; each becomes one bicubic B-spline face, exactly. At
-an extraordinary point of valence \f$ n \f$, \f$ n \f$ biquintic faces make a cap that joins its
-neighbors and itself with continuous tangent planes and approximates the surface. Adjacent faces share
-their edges; a face whose side has T-junctions has several edges there.
+on which it is twice continuously differentiable; each becomes one bicubic B-spline face, exactly.
+At an extraordinary point of valence \f$ n \f$, \f$ n \f$ biquintic faces make a cap that joins its
+neighbors and itself with continuous tangent planes and approximates the surface. Adjacent faces
+share their edges; a face whose side has T-junctions has several edges there.
 
 \tparam K a model of `Kernel` with a floating point number type
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -119,8 +119,8 @@ their edges; a face whose side has T-junctions has several edges there.
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{interior_tolerance}
-    \cgalParamDescription{in model units; caps are made smaller until they deviate from the surface by
-                           less than a tenth of it}
+    \cgalParamDescription{in model units; caps are made smaller until they deviate from the surface
+                           by less than a tenth of it}
     \cgalParamType{a positive number}
     \cgalParamDefault{\f$ 10^{-3} \f$ times the largest coordinate}
   \cgalParamNEnd

@@ -106,8 +106,8 @@ void set_points(const Quad_grid& grid, const Working_mesh& mesh, int n,
     }
 }
 
-// The layout of quads together with their inverse map; the first `n` vertices of the mesh have exact
-// points.
+// The layout of quads together with their inverse map; the first `n` vertices of the mesh have
+// exact points.
 template <typename GeomTraits>
 void set_layout(const Quad_grid& grid, const Working_mesh& mesh, int n,
                 std::shared_ptr<const typename Quad_layout<GeomTraits>::Inverse_map> inverse_map,

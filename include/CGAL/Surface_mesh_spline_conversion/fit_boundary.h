@@ -35,9 +35,9 @@ remainder measured in between.
 The boundary of the surface along a chain is a cubic spline that depends on the outermost row of
 control points only, hence the chains are independent least-squares problems. Corners are
 interpolated with the tangents of both curves, and a curve in a plane is fitted by a curve in this
-plane. Spans with a too large error are bisected, until the bound is below half of the tolerance (below
-the tolerance, if the error metric is parametric): where two faces meet at a curve, sewing them adds
-the deviations of both.
+plane. Spans with a too large error are bisected, until the bound is below half of the tolerance
+(below the tolerance, if the error metric is parametric): where two faces meet at a curve, sewing
+them adds the deviations of both.
 
 \tparam Surface a `CGAL::T_NURCC_surface_3`
 \tparam Target a `Transfinite_patch_network_3`

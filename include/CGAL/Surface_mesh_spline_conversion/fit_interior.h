@@ -63,18 +63,18 @@ distance is measured at the nodes of a 9x9 grid per patch, after the last fit.
     \cgalParamDefault{`Error_metric::REPROJECTED`}
   \cgalParamNEnd
   \cgalParamNBegin{boundary_tangency}
-    \cgalParamDescription{a functor that returns the unit normal of the neighboring face at a point of
-                           a boundary curve; the surface becomes tangent to the face there. It returns
-                           the null vector where the surface need not be tangent to a face.}
+    \cgalParamDescription{a functor that returns the unit normal of the neighboring face at a point
+                           of a boundary curve; the surface becomes tangent to the face there. It
+                           returns the null vector where the surface need not be tangent to a face.}
     \cgalParamType{a class with the operator `Vector_3 operator()(const Curve_3& c, const FT& t) const`,
                     with the types of the traits of the curves, for instance the
                     `Construct_normal_on_curve_3` of `Curve_on_surface_traits_3`}
     \cgalParamDefault{no normals}
   \cgalParamNEnd
   \cgalParamNBegin{do_coarsen_patches}
-    \cgalParamDescription{whether, after the fit, a surface with fewer patches is searched: patches are
-                           merged, and split again where the tolerances ask for it. This takes longer
-                           than the fit, and saves a few percent of the patches at most.}
+    \cgalParamDescription{whether, after the fit, a surface with fewer patches is searched: patches
+                           are merged, and split again where the tolerances ask for it. This takes
+                           longer than the fit, and saves a few percent of the patches at most.}
     \cgalParamType{`bool`}
     \cgalParamDefault{`false`}
   \cgalParamNEnd

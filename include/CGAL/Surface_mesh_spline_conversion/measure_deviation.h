@@ -65,8 +65,8 @@ struct Deviation
 
 namespace internal {
 
-// See measure_deviation() below. `limit`: deviations of the interior are violations above it, which need
-// not be the tolerance.
+// See measure_deviation() below. `limit`: deviations of the interior are violations above it, which
+// need not be the tolerance.
 template <typename K, typename TriangleMesh, typename VertexPointMap, typename BoundaryCurveNetwork>
 void measure_shell(const NURBS_shell_3<K>& shell, const TriangleMesh& tm, const VertexPointMap& vpm,
                    const BoundaryCurveNetwork& network, double tolerance, double limit,
@@ -111,8 +111,8 @@ void measure_shell(const NURBS_shell_3<K>& shell, const TriangleMesh& tm, const 
 
 measures how far a shell is from the mesh it was made from.
 
-The measurement shares no code with the fits. Boundary: points of the boundary edges of the shell are
-projected on the curves, and points of the curves on the boundary edges. Interior: points of the
+The measurement shares no code with the fits. Boundary: points of the boundary edges of the shell
+are projected on the curves, and points of the curves on the boundary edges. Interior: points of the
 surface, as dense as the vertices of the mesh and with a search uphill from the largest values, are
 compared with the mesh, and the vertices and face centres of the mesh with the surface. Within three
 mean edge lengths of the boundary, where the mesh has chords and the surface has curves, only

@@ -128,7 +128,8 @@ private:
     return {"ok", volume};
   }
 
-  // The kernel may drop faces, and call the rest valid: every face but `removed` must have an image.
+  // The kernel may drop faces, and call the rest valid: every face but `removed` must have an
+  // image.
   template <typename Maker>
   BRep_operation_result judge_images(Maker& maker, const TopoDS_Face& removed, double estimate,
                                      double volume) const
@@ -268,9 +269,9 @@ private:
 \ingroup PkgSurfaceMeshSplineConversionOpenCascade
 
 applies an operation to a solid in a child process, so that a crash or an endless loop of the kernel
-only loses this result. The result is judged: it must be valid and closed, without loss of faces, and
-with a volume that agrees with an estimate (area times distance for offset and wall, the sum of both
-parts for a cut).
+only loses this result. The result is judged: it must be valid and closed, without loss of faces,
+and with a volume that agrees with an estimate (area times distance for offset and wall, the sum of
+both parts for a cut).
 
 An operation may also fail on a perfect model: compare with one where the surface is exact.
 

@@ -103,9 +103,9 @@ inline bool read_BRep(const std::string& filename, TopoDS_Shape& shape, std::str
 \ingroup PkgSurfaceMeshSplineConversionOpenCascade
 
 writes a boundary representation to a file: STEP, or the format of Open CASCADE if the name ends in
-`.brep`; only the latter keeps tolerances. The uncertainty in a STEP file is the largest tolerance, so
-that readers take edges as they are. Equal shapes give equal files: a STEP file has the default time
-stamp of `STEP_information`.
+`.brep`; only the latter keeps tolerances. The uncertainty in a STEP file is the largest tolerance,
+so that readers take edges as they are. Equal shapes give equal files: a STEP file has the default
+time stamp of `STEP_information`.
 
 This needs Open CASCADE. If headers of both are included, those of \cgal must come first.
 
@@ -127,8 +127,9 @@ inline bool write_BRep(const std::string& filename, const TopoDS_Shape& shape,
   STEPControl_Writer writer;
   Interface_Static::SetCVal("xstep.cascade.unit", "MM");
   Interface_Static::SetCVal("write.step.unit", internal::unit_name(unit).c_str());
-  // By default the uncertainty is the mean of the tolerances. Where an edge deviates more from a face,
-  // Open CASCADE then replaces its curve in the parameter plane by one that it checks at 22 points.
+  // By default the uncertainty is the mean of the tolerances. Where an edge deviates more from a
+  // face, Open CASCADE then replaces its curve in the parameter plane by one that it checks at 22
+  // points.
   const int largest_tolerance = 1;
   Interface_Static::SetIVal("write.precision.mode", largest_tolerance);
   if(writer.Transfer(shape, STEPControl_AsIs) != IFSelect_RetDone)

@@ -447,9 +447,9 @@ namespace IO {
 writes a shell to a stream in the STEP format (ISO 10303-21, application protocol 214).
 
 Each connected component becomes one shell; a closed one with faces looking outwards becomes a
-solid. Vertices and edges are shared, so that a reader needs no sewing; the sectors of a cap share the
-control points of the edges between them. Coordinates are written with as many digits as are needed to
-read back the same numbers.
+solid. Vertices and edges are shared, so that a reader needs no sewing; the sectors of a cap share
+the control points of the edges between them. Coordinates are written with as many digits as are
+needed to read back the same numbers.
 
 \tparam K a model of `Kernel`
 \param os the output stream

@@ -21,8 +21,9 @@ namespace CGAL {
 namespace Surface_mesh_spline_conversion {
 namespace internal {
 
-// Calls `function(i)` for all `i` below `n`, with several threads if the program is linked with TBB.
-// Each call must write to places of its own, such that the result does not depend on the order.
+// Calls `function(i)` for all `i` below `n`, with several threads if the program is linked with
+// TBB. Each call must write to places of its own, such that the result does not depend on the
+// order.
 template <typename Function>
 void for_each_index(std::size_t n, const Function& function)
 {

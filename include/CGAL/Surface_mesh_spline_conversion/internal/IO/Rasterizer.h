@@ -31,8 +31,8 @@ inline double dot(const Coordinates& a, const Coordinates& b)
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-// An orthographic camera: x to the right, y upwards (both in pixels), z towards the viewer (in model
-// units, relative to the centre).
+// An orthographic camera: x to the right, y upwards (both in pixels), z towards the viewer (in
+// model units, relative to the centre).
 class Orthographic_camera
 {
 public:

@@ -26,8 +26,8 @@ namespace Surface_mesh_spline_conversion {
 namespace internal {
 
 /// The linear map from the data round an extraordinary point of valence n to the Bezier points of a
-/// G1 cap: one biquintic patch p_k(u,v) per sector k, extraordinary point at (0,0), u along spoke k,
-/// v along spoke k+1 (counter clockwise).
+/// G1 cap: one biquintic patch p_k(u,v) per sector k, extraordinary point at (0,0), u along spoke
+/// k, v along spoke k+1 (counter clockwise).
 ///
 /// The equations are
 ///  - at the outer sides u = 1 and v = 1, position and cross derivative of the bicubic neighbours;

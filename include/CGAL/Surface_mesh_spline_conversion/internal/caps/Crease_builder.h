@@ -42,14 +42,14 @@ struct Crease
   bool ends_at_cap = false;                              ///< of the same width
 };
 
-/// Makes the surface tangent continuous across crease lines: the cross derivatives of both sides are
-/// changed such that they lie in common tangent planes, and nothing else is. The faces keep their
-/// outer curves and the derivatives there.
+/// Makes the surface tangent continuous across crease lines: the cross derivatives of both sides
+/// are changed such that they lie in common tangent planes, and nothing else is. The faces keep
+/// their outer curves and the derivatives there.
 ///
-/// At the boundary, the tangent plane is that of the curves. Where the surface misses it because the
-/// direction of the line depends on several control points there, the line is moved by a cubic that
-/// takes its direction into the plane, and the surface on both sides with it. At the end of the line,
-/// the cubic and its derivative vanish.
+/// At the boundary, the tangent plane is that of the curves. Where the surface misses it because
+/// the direction of the line depends on several control points there, the line is moved by a cubic
+/// that takes its direction into the plane, and the surface on both sides with it. At the end of
+/// the line, the cubic and its derivative vanish.
 ///
 /// The points of a face are those of its pieces along the line, 24 each: `4*b+a` for point a in x,
 /// from smaller to larger x, and b in y.
@@ -220,8 +220,8 @@ private:
     cell.points = rotated(grid, 4 - cell.frame.turns);
   }
 
-  // Gives the last cells the position and derivative of the new face at its end: the cap there takes
-  // them from the cells.
+  // Gives the last cells the position and derivative of the new face at its end: the cap there
+  // takes them from the cells.
   static void set_end(const Crease& crease, Cell& cell)
   {
     const Tick_rectangle r = cell.frame(cell.rectangle);

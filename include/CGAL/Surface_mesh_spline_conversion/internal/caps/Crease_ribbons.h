@@ -30,11 +30,11 @@ namespace internal {
 
 /// Cross derivatives on both sides of a crease line that lie in common tangent planes.
 ///
-/// Let e(y) be the line, R-(y) and R+(y) the derivatives by x on its left and right, T their mean and
-/// K half their difference. The new ones are T - k and T + k with k = a T + b e': whatever the
-/// functions a and b, they span the same plane with e'. At the boundary k = K, because there R- and R+
-/// are tangents of the curves, which enclose the direction of the line; at the other end k and k'
-/// vanish, as K and K' do. In between, a (quadratic) and b (cubic between two breaks, both once
+/// Let e(y) be the line, R-(y) and R+(y) the derivatives by x on its left and right, T their mean
+/// and K half their difference. The new ones are T - k and T + k with k = a T + b e': whatever the
+/// functions a and b, they span the same plane with e'. At the boundary k = K, because there R- and
+/// R+ are tangents of the curves, which enclose the direction of the line; at the other end k and
+/// k' vanish, as K and K' do. In between, a (quadratic) and b (cubic between two breaks, both once
 /// continuously differentiable) are chosen such that k is closest to K.
 class Crease_ribbons
 {
@@ -43,7 +43,8 @@ public:
   typedef Eigen::Vector3d Vector;
   typedef std::array<Vector, DEGREE + 1> Quintic;
 
-  /// \param left, right the surface between two breaks each, with x from left to right and y inwards
+  /// \param left, right the surface between two breaks each, with x from left to right and y
+  ///         inwards
   /// \param lengths of these pieces along y
   /// \param widths of the left and the right pieces
   Crease_ribbons(const std::vector<Bicubic>& left, const std::vector<Bicubic>& right,

@@ -90,8 +90,8 @@ public:
 
   std::size_t number_of_components() const { return m_number_of_components; }
 
-  // copies component `i`; `is_corner(v)` tells the corners of the boundary, `size(v)` the quad size, and
-  // `direction(f)` the wanted direction of the quads.
+  // copies component `i`; `is_corner(v)` tells the corners of the boundary, `size(v)` the quad
+  // size, and `direction(f)` the wanted direction of the quads.
   template <typename HalfedgeCurveMap, typename IsCorner, typename Size, typename Direction>
   void copy(std::size_t i, const HalfedgeCurveMap& curves, const IsCorner& is_corner,
             const Size& size, const Direction& direction, Component& component) const

@@ -45,8 +45,8 @@ inline void warn_about_smooth_target(double tolerance, Conversion_report& report
       + " of the target, and within " + format_number(report.interior.max_deviation) + " of the mesh");
 }
 
-// Warns if the interior tolerance is so small that the surface has to follow the facets, and tells how
-// many patches that took: those added since the error was half the sagitta of the facets.
+// Warns if the interior tolerance is so small that the surface has to follow the facets, and tells
+// how many patches that took: those added since the error was half the sagitta of the facets.
 inline void warn_about_facets(double tolerance, Conversion_report& report)
 {
   if(Conversion_report::is_measured(report.interior.target_height))

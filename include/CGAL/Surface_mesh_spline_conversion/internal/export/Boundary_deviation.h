@@ -266,7 +266,8 @@ Boundary_deviation boundary_deviation(const NURBS_shell_3<K>& shell, const Netwo
   return result;
 }
 
-/// the largest distance of a corner of the mesh from the nearest vertex on the boundary of the shell
+/// the largest distance of a corner of the mesh from the nearest vertex on the boundary of the
+/// shell
 template <typename K, typename TriangleMesh, typename VertexPointMap, typename Network>
 double corner_deviation(const NURBS_shell_3<K>& shell, const TriangleMesh& tm,
                         const VertexPointMap& vpm, const Network& network)

@@ -42,16 +42,16 @@ struct Cell_rectangle
   Tick_rectangle bounds;
 };
 
-/// Greedy partition of a cell complex into rectangles of cells that join with C2 continuity, so that
-/// each is one tensor product B-spline. A rectangle grows by whole strips; it may run across layout
-/// quads, but never touches itself: kernels then need no seam. As knot lines run through the whole
-/// face, a strip of cells of other sizes costs control points: it stays apart if that is more than it
-/// would cost as a face of its own.
+/// Greedy partition of a cell complex into rectangles of cells that join with C2 continuity, so
+/// that each is one tensor product B-spline. A rectangle grows by whole strips; it may run across
+/// layout quads, but never touches itself: kernels then need no seam. As knot lines run through the
+/// whole face, a strip of cells of other sizes costs control points: it stays apart if that is more
+/// than it would cost as a face of its own.
 class Cell_merger
 {
 public:
-  /// what a face costs beside its control points, in records of a file of the size of a point: loop,
-  /// edges with their ends, and vertices
+  /// what a face costs beside its control points, in records of a file of the size of a point:
+  /// loop, edges with their ends, and vertices
   static constexpr double POINTS_PER_FACE = 20;
 
   /// how often the width of a strip is enlarged to a cell that reaches further

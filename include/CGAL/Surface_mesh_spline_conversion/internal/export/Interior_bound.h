@@ -49,13 +49,14 @@ inline std::array<Bezier_piece, 2> bisected(const Bezier_piece& piece, int axis)
   return result;
 }
 
-/// An upper bound of the distance from the pieces of a surface to a mesh, outside the band along the
-/// boundary where the mesh has chords and the surface has curves, see `Interior_deviation`.
+/// An upper bound of the distance from the pieces of a surface to a mesh, outside the band along
+/// the boundary where the mesh has chords and the surface has curves, see `Interior_deviation`.
 ///
-/// The distance to a triangle is a convex function: on a piece, it is at most the largest one of its
-/// control points, whatever triangle is taken. It is also at most the distance of one point and the
-/// radius of the control points around it. Pieces are bisected until one of both bounds is below the
-/// tolerance, or, if a point is farther than the tolerance, hardly above the distance of that.
+/// The distance to a triangle is a convex function: on a piece, it is at most the largest one of
+/// its control points, whatever triangle is taken. It is also at most the distance of one point and
+/// the radius of the control points around it. Pieces are bisected until one of both bounds is
+/// below the tolerance, or, if a point is farther than the tolerance, hardly above the distance of
+/// that.
 class Interior_bound
 {
 public:

@@ -35,8 +35,8 @@ namespace CGAL {
 namespace Surface_mesh_spline_conversion {
 namespace internal {
 
-/// Distances between the pieces of a surface and a mesh in both directions. Near the boundary, where
-/// the mesh has chords and the surface has curves, only what exceeds the chord gap counts.
+/// Distances between the pieces of a surface and a mesh in both directions. Near the boundary,
+/// where the mesh has chords and the surface has curves, only what exceeds the chord gap counts.
 class Interior_deviation
 {
 public:
@@ -109,7 +109,8 @@ private:
   static constexpr std::size_t NUMBER_OF_LARGEST = 24;
   static constexpr std::size_t NUMBER_OF_DIRECTIONS = 32;
 
-  // Between samples the deviation may be that much larger: a crease of the mesh passes between them.
+  // Between samples the deviation may be that much larger: a crease of the mesh passes between
+  // them.
   static constexpr double CLOSE_TO_LIMIT = 0.75;
 
   struct Sample
@@ -256,8 +257,8 @@ private:
     return result;
   }
 
-  // Tries directions all around with smaller and smaller steps. There have to be many: beside a crease
-  // of the mesh the deviation has a ridge, and a step that leaves it goes down.
+  // Tries directions all around with smaller and smaller steps. There have to be many: beside a
+  // crease of the mesh the deviation has a ridge, and a step that leaves it goes down.
   Summit climb_from(std::size_t start) const
   {
     constexpr double FIRST_STEP = 1. / 16, LAST_STEP = 1e-4; // of the parameters

@@ -45,8 +45,8 @@ struct Extraction_result
   double crease_deviation = 0;          ///< largest deviation of these faces from the surface
 };
 
-/// Pieces agree if they do so to this fraction of the extent: some hundred times the rounding errors
-/// of double, a hundredth of what CAD kernels resolve (10^-7 mm in parts of 100 mm).
+/// Pieces agree if they do so to this fraction of the extent: some hundred times the rounding
+/// errors of double, a hundredth of what CAD kernels resolve (10^-7 mm in parts of 100 mm).
 constexpr double RELATIVE_EQUALITY = 1e-11;
 
 inline double largest_coordinate(const std::vector<Cell>& cells)

@@ -24,8 +24,8 @@ namespace CGAL {
 namespace Surface_mesh_spline_conversion {
 namespace internal {
 
-/// Do the bicubic pieces on both sides of a segment join with C2 continuity? Their first three rows of
-/// blossoms across the segment, taken over the smaller width, must agree to `tolerance`.
+/// Do the bicubic pieces on both sides of a segment join with C2 continuity? Their first three rows
+/// of blossoms across the segment, taken over the smaller width, must agree to `tolerance`.
 inline bool is_smooth_segment(const Cell_complex& complex, std::size_t index, double tolerance)
 {
   const Cell_complex::Segment& segment = complex.segments()[index];

@@ -81,8 +81,8 @@ std::vector<Edge_on_face> places_of_edges(const NURBS_shell_3<K>& shell, std::si
   return result;
 }
 
-/// the unit normals of a face at `n + 1` points of an edge, in the direction of the edge; zero where
-/// there is none
+/// the unit normals of a face at `n + 1` points of an edge, in the direction of the edge; zero
+/// where there is none
 template <typename K>
 std::vector<Eigen::Vector3d> normals_along_edge(const B_spline_surface_3<K>& surface,
                                                 const Edge_on_face& place, bool is_forward, int n)

@@ -27,13 +27,13 @@ namespace Surface_mesh_spline_conversion {
 namespace internal {
 
 // How much the curvature of a surface varies: the integral of
-// |S_uuu|^2 + 3 |S_uuv|^2 + 3 |S_uvv|^2 + |S_vvv|^2 over each patch in the parameters of the layout,
-// in which all quads have the size 1. It vanishes for quadratic surfaces. Each patch has a weight of
-// its own.
+// |S_uuu|^2 + 3 |S_uuv|^2 + 3 |S_uvv|^2 + |S_vvv|^2 over each patch in the parameters of the
+// layout, in which all quads have the size 1. It vanishes for quadratic surfaces. Each patch has a
+// weight of its own.
 //
 // The third derivatives are differences of second ones between the four Gauss points of the
-// patch; S_uuu and S_vvv of a bicubic patch are exact. A patch where functions act that vanish at all
-// samples has no energy: without them, it would depend on the origin.
+// patch; S_uuu and S_vvv of a bicubic patch are exact. A patch where functions act that vanish at
+// all samples has no energy: without them, it would depend on the origin.
 class Fairness_energy
 {
 public:
@@ -52,8 +52,8 @@ public:
 
   void set_weight(size_type patch, double weight) { m_weights[patch] = weight; }
 
-  // returns the matrix whose product with the control points of a patch, in the order of the samples,
-  // has the energy of the patch as its squared norm
+  // returns the matrix whose product with the control points of a patch, in the order of the
+  // samples, has the energy of the patch as its squared norm
   const Eigen::MatrixXd& derivatives(size_type patch) const { return m_derivatives[patch]; }
 
 private:

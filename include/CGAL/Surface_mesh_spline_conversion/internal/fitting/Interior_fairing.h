@@ -31,10 +31,10 @@ namespace Surface_mesh_spline_conversion {
 namespace internal {
 
 // Makes a fitted surface fair within its tolerance. A least-squares fit follows what it can resolve
-// of the facets of the mesh, most of all in the small patches that the tolerance of the boundary asks
-// for; reflections show that. Here the variation of the curvature is added to the error of the fit,
-// with a weight that smooths over a length of a quarter of a quad. Where the surface leaves the
-// tolerance or folds, the length is halved, twice, and then the control points of the fit are
+// of the facets of the mesh, most of all in the small patches that the tolerance of the boundary
+// asks for; reflections show that. Here the variation of the curvature is added to the error of the
+// fit, with a weight that smooths over a length of a quarter of a quad. Where the surface leaves
+// the tolerance or folds, the length is halved, twice, and then the control points of the fit are
 // taken back. The patches stay, and so do the control points that are fixed.
 template <typename Surface, typename Target>
 class Interior_fairing

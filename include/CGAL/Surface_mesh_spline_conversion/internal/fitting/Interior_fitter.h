@@ -95,8 +95,8 @@ public:
   }
 
   // Goes on after a fit that has met the tolerances: refines the surface where someone else has
-  // found it to be too far from the mesh, and around places where the normals do not agree, and fits
-  // again.
+  // found it to be too far from the mesh, and around places where the normals do not agree, and
+  // fits again.
   Error_code improve(const std::vector<Point_3>& far, const std::vector<Point_3>& rough)
   {
     std::vector<Patch_split> splits = m_error->splits_at(far);
@@ -166,8 +166,8 @@ private:
     return code;
   }
 
-  // The patches along the boundary are halved that many times at most where the surface is not tangent
-  // to the face beyond it; each time divides the angle by sixteen.
+  // The patches along the boundary are halved that many times at most where the surface is not
+  // tangent to the face beyond it; each time divides the angle by sixteen.
   static constexpr int maximum_number_of_tangency_refinements = 2;
 
   // while the normals along the boundary are not the wanted ones
@@ -185,8 +185,9 @@ private:
            && m_iteration + 1 < maximum_number_of_iterations;
   }
 
-  // Fits, and refines the patches whose error is not below the tolerance, until there is none. Those
-  // with less than `share_of_worst` of the largest error wait. Gives up at `number_of_patches`.
+  // Fits, and refines the patches whose error is not below the tolerance, until there is none.
+  // Those with less than `share_of_worst` of the largest error wait. Gives up at
+  // `number_of_patches`.
   Error_code refine_until_met(double share_of_worst, size_type number_of_patches)
   {
     for(; m_surface.number_of_patches() < number_of_patches; ++m_iteration)

@@ -29,8 +29,8 @@ namespace Surface_mesh_spline_conversion {
 namespace internal {
 
 // The normal equations of the interior fit (paper, section 3.3.1) for all control points that are
-// not fixed, on the patches on which they act. The matrix serves all fits of a refinement level; only
-// the targets change.
+// not fixed, on the patches on which they act. The matrix serves all fits of a refinement level;
+// only the targets change.
 template <typename Samples>
 class Interior_system
 {

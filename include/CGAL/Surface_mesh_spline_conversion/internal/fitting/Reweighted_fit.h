@@ -24,11 +24,11 @@ namespace CGAL {
 namespace Surface_mesh_spline_conversion {
 namespace internal {
 
-// Lowers the largest distances of a least-squares fit. Many patches violate the tolerance by little,
-// beside others that are far below it. The weights of these patches are increased with their
-// errors, and the control points that act on them are fitted again: iteratively reweighted least
-// squares, which tend to the fit with the smallest largest distance. What meets the tolerance then
-// need not be refined. The rounds do not always improve the fit, the best one is taken.
+// Lowers the largest distances of a least-squares fit. Many patches violate the tolerance by
+// little, beside others that are far below it. The weights of these patches are increased with
+// their errors, and the control points that act on them are fitted again: iteratively reweighted
+// least squares, which tend to the fit with the smallest largest distance. What meets the tolerance
+// then need not be refined. The rounds do not always improve the fit, the best one is taken.
 template <typename Surface, typename Target>
 class Reweighted_fit
 {

@@ -25,8 +25,8 @@ namespace Surface_mesh_spline_conversion {
 namespace internal {
 
 // The points of a curve that are compared with those of a spline over one span, cut in equal
-// pieces: at the ends of the pieces with the derivative with respect to the parameter of the spline,
-// and in their middle.
+// pieces: at the ends of the pieces with the derivative with respect to the parameter of the
+// spline, and in their middle.
 struct Span_samples
 {
   static constexpr std::size_t number_of_pieces = 8;

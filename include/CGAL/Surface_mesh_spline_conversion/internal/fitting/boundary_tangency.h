@@ -36,9 +36,9 @@ namespace CGAL {
 namespace Surface_mesh_spline_conversion {
 namespace internal {
 
-// The unit normal of the face beyond the boundary, at the point of a chain that is closest to a given
-// one, near a parameter of the target; the null vector where the surface need not be tangent to
-// anything.
+// The unit normal of the face beyond the boundary, at the point of a chain that is closest to a
+// given one, near a parameter of the target; the null vector where the surface need not be tangent
+// to anything.
 template <typename Target>
 using Boundary_normals
   = std::function<Eigen::Vector3d(std::size_t, double, const typename Target::Point_3&)>;
@@ -77,12 +77,12 @@ boundary_normals(const Target& target,
 // Makes the surface tangent to the faces beyond its boundary.
 //
 // With n the normal of the face and D the derivative of the surface inwards, this means n . D = 0
-// along the boundary, which is linear in the control points of the second row, as those of the first
-// row belong to the boundary curves. The second row is moved as little as possible such that the
-// equation holds at as many places as it has control points: then it holds everywhere where n is
-// constant, and up to the fourth power of the length of the patches where it turns. Where patches of
-// different sizes meet, the equations at all samples, in the sense of least squares, are better: they
-// follow. Then the second row is fixed, and the fit determines the rest.
+// along the boundary, which is linear in the control points of the second row, as those of the
+// first row belong to the boundary curves. The second row is moved as little as possible such that
+// the equation holds at as many places as it has control points: then it holds everywhere where n
+// is constant, and up to the fourth power of the length of the patches where it turns. Where
+// patches of different sizes meet, the equations at all samples, in the sense of least squares, are
+// better: they follow. Then the second row is fixed, and the fit determines the rest.
 //
 // At a corner both curves determine the tangent plane. Where it is not that of the face, no smooth
 // surface is tangent to the face; the equations begin behind the first patch then.
@@ -118,8 +118,8 @@ public:
   }
 
   // Measures the angles between the normals of the surface and the faces: returns the largest, in
-  // degrees. Where it is noticeable, all patches along the chain are to be halved: the approximation
-  // is good only if their lengths are regular.
+  // degrees. Where it is noticeable, all patches along the chain are to be halved: the
+  // approximation is good only if their lengths are regular.
   double measure(std::vector<typename Surface::Patch_split>& splits) const
   {
     double result = 0;
@@ -159,8 +159,8 @@ private:
   // in radians
   static constexpr double smallest_noticeable_angle = 5e-7;
 
-  // Sine of the angle between a face and the tangent of the other curve at a corner up to which both
-  // count as compatible: curves are known to some parts in a million.
+  // Sine of the angle between a face and the tangent of the other curve at a corner up to which
+  // both count as compatible: curves are known to some parts in a million.
   static constexpr double largest_sine_at_corner = 1e-4;
 
   // A control point gets an equation where its share of the derivative is that large at least: that
@@ -171,8 +171,8 @@ private:
   static constexpr double relative_regularization = 1e-13;
   static constexpr int number_of_interpolations = 2;
 
-  // In units of the mean square of the residuals: each time, derivatives shrink by one part in so many
-  // for the sake of residuals that cannot vanish.
+  // In units of the mean square of the residuals: each time, derivatives shrink by one part in so
+  // many for the sake of residuals that cannot vanish.
   static constexpr double weight_of_movement = 100;
   static constexpr int number_of_approximations = 4;
 

@@ -31,11 +31,11 @@ namespace internal {
 // Chooses the direction in which the surface leaves the corners of the boundary between two quads
 // (paper, Fig. 6(b)).
 //
-// The patches on both sides share this direction, and each has the angle between it and a tangent of
-// the boundary. Neither may reach a straight angle, or the patch folds over, even where the
-// corresponding isoline of the map runs like that. Hence the direction is that of the bisector of the
-// interior angle, in the plane of both tangents; then the normals agree at the corner, too. It is
-// given by one control point of the second row.
+// The patches on both sides share this direction, and each has the angle between it and a tangent
+// of the boundary. Neither may reach a straight angle, or the patch folds over, even where the
+// corresponding isoline of the map runs like that. Hence the direction is that of the bisector of
+// the interior angle, in the plane of both tangents; then the normals agree at the corner, too. It
+// is given by one control point of the second row.
 template <typename Surface, typename Target>
 class Corner_tangents
 {
@@ -85,8 +85,8 @@ private:
     return CGAL::to_double(i % 2 == 0 ? origin.v1 - origin.v0 : origin.u1 - origin.u0);
   }
 
-  // the only control point beside the boundary on which the inward derivative at the end of side `i`
-  // depends, and its coefficient
+  // the only control point beside the boundary on which the inward derivative at the end of side
+  // `i` depends, and its coefficient
   size_type second_row_point(size_type patch, int i, const std::vector<bool>& is_fixed,
                              double& coefficient) const
   {

@@ -38,8 +38,8 @@ struct Largest_error
 };
 
 // Measures the distance between surface and target at the error samples of all patches, and from
-// the vertices of the mesh to the surface: there the mesh is farthest from a smooth surface. Vertices
-// in quads with a boundary side do not count, as the target differs from the mesh there.
+// the vertices of the mesh to the surface: there the mesh is farthest from a smooth surface.
+// Vertices in quads with a boundary side do not count, as the target differs from the mesh there.
 //
 // The distance between points with equal parameters is an upper bound of the distance between a
 // point and the other side. Samples are therefore visited by descending bound, and foot points
@@ -191,11 +191,11 @@ public:
 private:
   typedef Surface_foot_point<Surface, typename Target::Layout, typename Samples::Place> Foot_point;
 
-  // The square patches of a quad of the layout are halved in the direction in which their errors vary
-  // more, other patches in their longer direction, unless the error varies so much more in the other
-  // one. One direction for a quad, and halving in turns, let the halves of neighbors match: where
-  // directions are mixed, extensions of T-junctions cross, and the surface needs up to a half more
-  // control points.
+  // The square patches of a quad of the layout are halved in the direction in which their errors
+  // vary more, other patches in their longer direction, unless the error varies so much more in the
+  // other one. One direction for a quad, and halving in turns, let the halves of neighbors match:
+  // where directions are mixed, extensions of T-junctions cross, and the surface needs up to a half
+  // more control points.
   static constexpr double directional_ratio = 5;
 
   static constexpr size_type none = static_cast<size_type>(-1);
@@ -361,8 +361,8 @@ private:
     }
   }
 
-  // A patch is kept if its points are where they were, and those of its neighbours, on which closest
-  // points may lie.
+  // A patch is kept if its points are where they were, and those of its neighbours, on which
+  // closest points may lie.
   template <typename IsUnmoved>
   void find_kept_patches(const IsUnmoved& is_unmoved)
   {

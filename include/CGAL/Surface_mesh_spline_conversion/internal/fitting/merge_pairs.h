@@ -24,8 +24,8 @@ namespace CGAL {
 namespace Surface_mesh_spline_conversion {
 namespace internal {
 
-// Merges patches in pairs: the two halves of a rectangle that may come from its bisection, across the
-// longer side if possible. The others stay as they are.
+// Merges patches in pairs: the two halves of a rectangle that may come from its bisection, across
+// the longer side if possible. The others stay as they are.
 //
 // Origin: `T_NURCC_surface_3::Patch_origin`
 template <typename Origin>

@@ -307,8 +307,8 @@ private:
     m_corners[f + j] = between;
   }
 
-  // The disk gets enough vertices inside and on its boundary. Returns `false` if that takes too many
-  // faces: where three corners lie on a line in the map, the division may not end.
+  // The disk gets enough vertices inside and on its boundary. Returns `false` if that takes too
+  // many faces: where three corners lie on a line in the map, the division may not end.
   bool divide_long_edges(double radius)
   {
     const double edges_per_radius = 5, reduction = 0.7;

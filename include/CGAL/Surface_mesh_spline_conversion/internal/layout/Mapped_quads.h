@@ -60,7 +60,8 @@ public:
 
   const Quad_grid& quads() const { return m_quads; }
 
-  // the point of the working mesh at the local coordinates (u,v) of a quad; neighbours agree exactly
+  // the point of the working mesh at the local coordinates (u,v) of a quad; neighbours agree
+  // exactly
   Working_location operator()(std::size_t quad, double u, double v) const
   {
     return m_vertex_smoothing(m_disk_smoothing(locate(quad, u, v)));

@@ -37,8 +37,8 @@ inline std::vector<std::array<Eigen::Vector3d, 3> > face_corners(const Working_m
 }
 
 // The points of the mesh of a map of a proxy, which is a refinement of the proxy, as points of the
-// mesh that the proxy stands for: they are projected to that mesh, unfolded, whose faces are those of
-// the mesh.
+// mesh that the proxy stands for: they are projected to that mesh, unfolded, whose faces are those
+// of the mesh.
 class Proxy_image
 {
 public:

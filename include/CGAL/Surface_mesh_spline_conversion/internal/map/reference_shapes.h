@@ -55,8 +55,8 @@ inline Eigen::Matrix2d turned_shape(const Working_mesh& mesh, int f, const Eigen
   return turn * edges;
 }
 
-// By how much the map must scale the angles at the vertices that are singularities or corners, where
-// this is not an accident of the discretization; one elsewhere.
+// By how much the map must scale the angles at the vertices that are singularities or corners,
+// where this is not an accident of the discretization; one elsewhere.
 inline std::vector<double> angle_ratios(const Working_mesh& mesh, const std::vector<int>& cone)
 {
   std::vector<double> total_angle(mesh.number_of_vertices(), 0), ratio(total_angle.size(), 1);
@@ -73,8 +73,8 @@ inline std::vector<double> angle_ratios(const Working_mesh& mesh, const std::vec
 
 // Scales the angle at a singularity or corner of face `f`, and keeps the lengths of the two edges
 // there. No map is isometric at such a vertex; the best one scales the angles of all its faces
-// equally. With this reference it has no distortion. Otherwise a few faces would take all of it, and
-// the isoline that leaves a concave corner could have more than a straight angle on one side.
+// equally. With this reference it has no distortion. Otherwise a few faces would take all of it,
+// and the isoline that leaves a concave corner could have more than a straight angle on one side.
 inline Eigen::Matrix2d scale_angle(const Working_mesh& mesh, int f,
                                    const std::vector<double>& angle_ratio,
                                    const Eigen::Matrix2d& shape)
@@ -105,9 +105,10 @@ inline Map_system::Reference make_reference(const Eigen::Matrix2d& shape)
   return Map_system::Reference{shape.inverse(), shape.determinant() / 2};
 }
 
-// How much a face counts. The faces at the corners of the boundary are small, but what the isolines do
-// there decides the shape of the patches: with this weight the angles on both sides of the isoline
-// of a concave corner mostly differ by less than ten degrees, and stay well below a straight angle.
+// How much a face counts. The faces at the corners of the boundary are small, but what the isolines
+// do there decides the shape of the patches: with this weight the angles on both sides of the
+// isoline of a concave corner mostly differ by less than ten degrees, and stay well below a
+// straight angle.
 inline double face_weight(const Working_mesh& mesh, int f)
 {
   const double corner_weight = 30;

@@ -63,7 +63,8 @@ inline std::string read_all(int file)
 
 /// Runs a function in a copy of this process, so that a crash or an endless loop loses its result
 /// only. It needs a POSIX system.
-/// \param function returns the bytes that are sent back; threads of this process do not exist for it
+/// \param function returns the bytes that are sent back; threads of this process do not exist for
+///         it
 /// \param seconds the limit of time; signals of the function's own alarm clock would end it
 inline Child_end run_in_child_process(const std::function<std::string()>& function,
                                       unsigned int seconds, std::string& result)

@@ -20,8 +20,8 @@ namespace Surface_mesh_spline_conversion {
 namespace internal {
 
 /// returns the signed volume inside a closed shape. Open CASCADE subdivides the faces until it
-/// estimates the error of each below the given fraction of it; with its fixed number of Gauss points,
-/// a planar face in a boundary of many spans may be wrong by 10^-3.
+/// estimates the error of each below the given fraction of it; with its fixed number of Gauss
+/// points, a planar face in a boundary of many spans may be wrong by 10^-3.
 inline double volume(const TopoDS_Shape& shape)
 {
   constexpr double RELATIVE_ERROR = 1e-8;

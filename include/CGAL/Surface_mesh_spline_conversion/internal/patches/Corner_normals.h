@@ -35,12 +35,12 @@ namespace internal {
 
 // The normals of the smooth surface that a triangle mesh stands for, at the corners of its faces.
 //
-// The faces around a vertex form sectors between edges at which the mesh ends, or turns so much that
-// they are features. All corners of a sector have the same normal, bit for bit. It is that of a
-// graph of degree two through the vertex that is closest to the vertices around it in the sector,
+// The faces around a vertex form sectors between edges at which the mesh ends, or turns so much
+// that they are features. All corners of a sector have the same normal, bit for bit. It is that of
+// a graph of degree two through the vertex that is closest to the vertices around it in the sector,
 // and to the apexes behind them: its error is of second order also beside the boundary. Where these
-// points do not determine the graph, the normal is the sum of those of the faces with the weights of
-// N. Max (Journal of Graphics Tools 4(2), 1999).
+// points do not determine the graph, the normal is the sum of those of the faces with the weights
+// of N. Max (Journal of Graphics Tools 4(2), 1999).
 template <typename TriangleMesh, typename VertexPointMap>
 class Corner_normals
 {

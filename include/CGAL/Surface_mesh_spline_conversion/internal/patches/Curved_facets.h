@@ -108,8 +108,8 @@ private:
     std::array<Eigen::Vector3d, 3> next, previous;
   };
 
-  // returns the displacement of the control point of the edge of `e` that is closer to the target of
-  // the halfedge `h`
+  // returns the displacement of the control point of the edge of `e` that is closer to the target
+  // of the halfedge `h`
   template <typename Halfedge, typename Normals, typename TriangleMesh, typename VertexPointMap>
   static Eigen::Vector3d edge_displacement(Halfedge e, Halfedge h, const Normals& normals,
                                            const TriangleMesh& tm, const VertexPointMap& vpm,

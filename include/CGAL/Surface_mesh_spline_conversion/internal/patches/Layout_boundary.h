@@ -31,9 +31,9 @@ namespace CGAL {
 namespace Surface_mesh_spline_conversion {
 namespace internal {
 
-// The boundary of a layout: for each chain the correspondence s(x), smooth or linear on each side of
-// a quad, and the slide sigma(x), by which it moves points of the boundary against the inverse map
-// of the layout.
+// The boundary of a layout: for each chain the correspondence s(x), smooth or linear on each side
+// of a quad, and the slide sigma(x), by which it moves points of the boundary against the inverse
+// map of the layout.
 template <typename GeomTraits>
 class Layout_boundary
 {

@@ -30,11 +30,11 @@ namespace CGAL {
 namespace Surface_mesh_spline_conversion {
 namespace internal {
 
-// Finds the faces of a proxy in which the projection (see `Proxy_projection`) may not be one to one.
-// No samples are taken: each face of the mesh below a face of the proxy is judged as a whole. The
-// lines of projection of a triangle fill a prism; they do not cross between two heights, and the
-// projection is a homeomorphism if the mesh lies between these, with no face turned away from the
-// lines.
+// Finds the faces of a proxy in which the projection (see `Proxy_projection`) may not be one to
+// one. No samples are taken: each face of the mesh below a face of the proxy is judged as a whole.
+// The lines of projection of a triangle fill a prism; they do not cross between two heights, and
+// the projection is a homeomorphism if the mesh lies between these, with no face turned away from
+// the lines.
 class Projection_fold_check
 {
 public:
@@ -59,8 +59,8 @@ public:
 private:
   typedef std::array<Eigen::Vector3d, 3> Triangle;
 
-  // a triangle whose points and directions of projection are interpolated linearly, and faces of the
-  // mesh at its corners
+  // a triangle whose points and directions of projection are interpolated linearly, and faces of
+  // the mesh at its corners
   struct Prism
   {
     Triangle points, directions;
@@ -125,8 +125,9 @@ private:
     return {{m_target.points[t[0]], m_target.points[t[1]], m_target.points[t[2]]}};
   }
 
-  // Visits the faces of the mesh that meet the prism, from where the line in its middle does. The way
-  // leads across edges inside of the prism: what lies beyond a rim along its side is another sheet.
+  // Visits the faces of the mesh that meet the prism, from where the line in its middle does. The
+  // way leads across edges inside of the prism: what lies beyond a rim along its side is another
+  // sheet.
   bool is_folded(const Prism& prism, std::vector<int>& faces)
   {
     const Slab slab = slab_without_crossings(prism);
@@ -166,8 +167,8 @@ private:
     m_queue.push_back(f);
   }
 
-  // The heights at which the parallel triangles of the prism have the orientation of its directions,
-  // next to 0. The determinant of the motion along the triangle and its direction is
+  // The heights at which the parallel triangles of the prism have the orientation of its
+  // directions, next to 0. The determinant of the motion along the triangle and its direction is
   // quadratic in the height, and linear in the triangle.
   static Slab slab_without_crossings(const Prism& prism)
   {
@@ -202,8 +203,8 @@ private:
         slab.lower = (std::max)(slab.lower, zero);
   }
 
-  // `false` if no line of the prism meets the inside of the face: the lines pass an edge on the wrong
-  // side, or meet it.
+  // `false` if no line of the prism meets the inside of the face: the lines pass an edge on the
+  // wrong side, or meet it.
   static bool may_meet(const Prism& prism, const Triangle& face)
   {
     bool is_some_negative = false, is_some_positive = false;

@@ -23,8 +23,9 @@ namespace Surface_mesh_spline_conversion {
 namespace internal {
 
 // A coarser and well-shaped mesh that stands for a triangle mesh while field, map and layout are
-// computed. Its vertices lie on the original, unfolded. At the boundary it has the chains of the original:
-// between two neighbouring boundary vertices the arc lengths of both run over the same interval.
+// computed. Its vertices lie on the original, unfolded. At the boundary it has the chains of the
+// original: between two neighbouring boundary vertices the arc lengths of both run over the same
+// interval.
 struct Proxy_mesh
 {
   std::shared_ptr<const Working_mesh> original;

@@ -25,8 +25,8 @@ namespace Surface_mesh_spline_conversion {
 namespace internal {
 
 // Maps points of a proxy mesh to its original, unfolded: along the normals, which are interpolated
-// between the vertices, from a vertex of the face on. Points of the boundary go to the boundary point
-// with the same arc length; near the boundary, faces are warped such that both fit.
+// between the vertices, from a vertex of the face on. Points of the boundary go to the boundary
+// point with the same arc length; near the boundary, faces are warped such that both fit.
 class Proxy_projection
 {
 public:

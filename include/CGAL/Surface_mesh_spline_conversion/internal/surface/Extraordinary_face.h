@@ -72,8 +72,8 @@ typedef Eigen::Matrix<double, 6, Eigen::Dynamic, Eigen::RowMajor> Basis_matrix;
 // of Catmull and Clark, as linear functionals of the control points.
 //
 // Only the functions of the vertices of the faces around the extraordinary corners are treated
-// here. That of any other vertex is a product of two splines on the face, because it vanishes to the
-// third order along a line through the extraordinary corner; it is left to `Bezier_extraction`.
+// here. That of any other vertex is a product of two splines on the face, because it vanishes to
+// the third order along a line through the extraordinary corner; it is left to `Bezier_extraction`.
 // Therefore T-vertices do no harm unless they touch the faces around the extraordinary corners or
 // the edges that leave these.
 //

@@ -21,9 +21,9 @@ namespace CGAL {
 namespace Surface_mesh_spline_conversion {
 namespace internal {
 
-// Bisects the patches of a T-mesh until none of them is longer than a rectangle that it overlaps, in
-// any of the two directions. A patch is cut such that few rectangles are cut with it. Leaves the rules
-// of the refinement closure to the caller.
+// Bisects the patches of a T-mesh until none of them is longer than a rectangle that it overlaps,
+// in any of the two directions. A patch is cut such that few rectangles are cut with it. Leaves the
+// rules of the refinement closure to the caller.
 template <typename Point>
 class Rectangle_splitter
 {

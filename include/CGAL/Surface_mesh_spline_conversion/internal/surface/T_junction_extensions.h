@@ -25,10 +25,10 @@ namespace internal {
 
 // The exact test for a T-mesh to be analysis-suitable: no extension of a T-junction in one
 // direction meets one in the other direction. The extension of a T-junction is closed and has two
-// parts: the face extension continues the edge that ends there over two knot intervals, the edge extension
-// goes back over one. If there are no crossings, the basis functions are linearly independent and
-// sum up to one (Beirao da Veiga, Buffa, Sangalli, Vazquez: Analysis-suitable T-splines of
-// arbitrary degree).
+// parts: the face extension continues the edge that ends there over two knot intervals, the edge
+// extension goes back over one. If there are no crossings, the basis functions are linearly
+// independent and sum up to one (Beirao da Veiga, Buffa, Sangalli, Vazquez: Analysis-suitable
+// T-splines of arbitrary degree).
 template <typename Point>
 class T_junction_extensions
 {
