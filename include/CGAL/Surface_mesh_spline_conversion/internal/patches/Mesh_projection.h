@@ -14,14 +14,15 @@
 #include <CGAL/Surface_mesh_spline_conversion/internal/compatibility.h>
 
 #include <CGAL/AABB_tree.h>
+#include <CGAL/Polygon_mesh_processing/locate.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_utils.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -77,10 +78,8 @@ public:
   // Only what is closer than the point of this face need be searched.
   Foot operator()(const Point_3& query, std::size_t hint) const
   {
-    const Kernel::Triangle_3& triangle = m_triangles[hint];
     const auto result = m_tree.closest_point_and_primitive(
-      query, std::make_pair(Kernel().construct_projected_point_3_object()(triangle, query),
-                            &triangle));
+      query, std::make_pair(closest_point(hint, query), &m_triangles[hint]));
     return Foot{result.first, static_cast<std::size_t>(result.second - m_triangles.data())};
   }
 
@@ -91,27 +90,17 @@ public:
     return CGAL::cross_product(t[1] - t[0], t[2] - t[0]);
   }
 
-  // returns the coordinates of a point of a face with respect to its corners
+  // returns the barycentric coordinates of a point of a face
   std::array<double, 3> barycentric(std::size_t face, const Point_3& p) const
   {
     const Kernel::Triangle_3& t = m_triangles[face];
-    const Vector_3 n = normal(face);
-    std::array<double, 3> result;
-    for(int i = 0; i < 3; ++i)
-      result[std::size_t(i)]
-        = CGAL::cross_product(t[i + 1] - p, t[i + 2] - p) * n / n.squared_length();
-    return result;
+    return Polygon_mesh_processing::barycentric_coordinates(t[0], t[1], t[2], p);
   }
 
-  // returns a point of a face that is close to `p`, and the closest one if that is not on an edge
+  // returns the point of a face that is closest to `p`
   Point_3 closest_point(std::size_t face, const Point_3& p) const
   {
-    std::array<double, 3> b = barycentric(face, p);
-    double sum = 0;
-    for(double& x : b)
-      sum += (x = (std::max)(x, 0.));
-    const Kernel::Triangle_3& t = m_triangles[face];
-    return t[0] + (b[1] / sum) * (t[1] - t[0]) + (b[2] / sum) * (t[2] - t[0]);
+    return Kernel().construct_projected_point_3_object()(m_triangles[face], p);
   }
 
   std::size_t number_of_faces() const { return m_triangles.size(); }
