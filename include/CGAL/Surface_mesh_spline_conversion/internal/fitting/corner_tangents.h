@@ -20,8 +20,10 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -34,8 +36,11 @@ namespace internal {
 // The patches on both sides share this direction, and each has the angle between it and a tangent
 // of the boundary. Neither may reach a straight angle, or the patch folds over, even where the
 // corresponding isoline of the map runs like that. Hence the direction is that of the bisector of
-// the interior angle, in the plane of both tangents; then the normals agree at the corner, too. It
-// is given by one control point of the second row.
+// the interior angle, in the plane of both tangents; then the normals agree at the corner, too.
+//
+// Where both outer rows have a triple knot, it is given by one control point of the second row.
+// Where only the outermost row has one, several control points act on the derivative at the corner,
+// and the fit has to respect it as a constraint, see Crease_smoother.
 template <typename Surface, typename Target>
 class Corner_tangents
 {
@@ -47,14 +52,30 @@ class Corner_tangents
 public:
   Corner_tangents(Surface& surface, const Target& target) : m_surface(surface), m_target(target) {}
 
-  // sets these control points, and marks them in `is_fixed`
+  // sets the control points that give the direction alone, and marks them in `is_fixed`
   void operator()(std::vector<bool>& is_fixed)
   {
     for_each_split_corner(m_target.layout(), [&](size_type first, int i, size_type second, int j)
       { fix(first, i, second, j, is_fixed); });
   }
 
+  // Returns the wanted derivative inwards at the corner that is the end of side `i` of `first` and
+  // the begin of side `j` of `second`, by the coordinate of the quads. It is not finite where the
+  // tangents have no bisector.
+  Vector derivative(size_type first, int i, size_type second, int j) const
+  {
+    const auto corner = from_side<FT>(i, FT(1), FT(0));
+    const double bay = inward_extent(m_surface.patch_at(first, corner[0], corner[1]), i);
+    const auto end = from_side<FT>(i, FT(1), FT(bay));
+    const Vector chord = to_eigen(m_target.point(first, end[0], end[1]))
+                       - to_eigen(m_target.point(first, corner[0], corner[1]));
+    return bisector(first, i, second, j) * (chord.norm() / bay);
+  }
+
 private:
+  // smaller derivatives of functions, relative to the largest one, are rounding
+  static constexpr double relative_rounding = 1e-10;
+
   // tangents that enclose a smaller angle do not determine a plane (in radians)
   static constexpr double smallest_angle = 0.1;
 
@@ -67,14 +88,10 @@ private:
     const size_type point = second_row_point(patch, i, is_fixed, coefficient);
     if(point == is_fixed.size())
       return;
-    const Vector direction = bisector(first, i, second, j);
-    if(!direction.allFinite())
+    const Vector wanted = derivative(first, i, second, j);
+    if(!wanted.allFinite())
       return;
-    const Vector origin = to_eigen(m_target.point(first, corner[0], corner[1]));
-    const double bay = inward_extent(patch, i);
-    const auto end = from_side<FT>(i, FT(1), FT(bay));
-    const double speed = (to_eigen(m_target.point(first, end[0], end[1])) - origin).norm() / bay;
-    const Vector p = origin + direction * (speed / coefficient);
+    const Vector p = to_eigen(m_target.point(first, corner[0], corner[1])) + wanted / coefficient;
     m_surface.set_control_point(point, Point_3(FT(p[0]), FT(p[1]), FT(p[2])));
     is_fixed[point] = true;
   }
@@ -85,24 +102,33 @@ private:
     return CGAL::to_double(i % 2 == 0 ? origin.v1 - origin.v0 : origin.u1 - origin.u0);
   }
 
-  // the only control point beside the boundary on which the inward derivative at the end of side
-  // `i` depends, and its coefficient
+  // The control point that may move on which the inward derivative at the end of side `i` depends,
+  // and its coefficient. Returns the size of `is_fixed` unless there is exactly one.
   size_type second_row_point(size_type patch, int i, const std::vector<bool>& is_fixed,
                              double& coefficient) const
   {
     const auto corner = from_side<FT>(i, FT(1), FT(0)), inner = from_side<FT>(i, FT(1), FT(1));
     std::vector<typename Surface::Basis_function> functions;
     m_surface.basis(patch, corner[0], corner[1], 1, functions);
-    size_type result = is_fixed.size();
+    std::vector<std::pair<double, size_type> > candidates;
+    double largest = 0;
     for(const auto& f : functions)
     {
       const double value = CGAL::to_double(inner[0] - corner[0]) * f.value[1]
                            + CGAL::to_double(inner[1] - corner[1]) * f.value[2];
-      if(!is_fixed[f.control_point] && value > coefficient)
-      {
-        coefficient = value;
-        result = f.control_point;
-      }
+      largest = (std::max)(largest, std::abs(value));
+      if(!is_fixed[f.control_point])
+        candidates.emplace_back(value, f.control_point);
+    }
+    size_type result = is_fixed.size();
+    for(const auto& candidate : candidates)
+    {
+      if(std::abs(candidate.first) <= relative_rounding * largest)
+        continue;
+      if(result != is_fixed.size())
+        return is_fixed.size();
+      coefficient = candidate.first;
+      result = candidate.second;
     }
     return result;
   }

@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
+#include <CGAL/Surface_mesh_spline_conversion/internal/fitting/corner_tangents.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/split_corners.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/patches/quad_sides.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/to_eigen.h>
@@ -46,7 +47,9 @@ namespace internal {
 //
 // Where only the outermost row has a triple knot, no inner control point acts on J. Then those are
 // moved that act on the derivative along the line, such that it lies in the plane of the
-// derivatives on both sides.
+// derivatives on both sides. At the corner it is the one of Corner_tangents: several of these
+// control points act on it, and the fit alone may turn it out of the interior angle, which folds
+// the surface over.
 template <typename Surface, typename Target, typename System>
 class Crease_smoother
 {
@@ -65,6 +68,13 @@ class Crease_smoother
   // a linear functional of the control points
   typedef std::map<size_type, double> Functional;
 
+  // the derivative along the line at a corner, and what it shall be
+  struct Tangent
+  {
+    Functional functional;
+    Eigen::Vector3d wanted;
+  };
+
 public:
   Crease_smoother(Surface& surface, const Target& target)
     : m_surface(surface), m_target(target)
@@ -74,6 +84,7 @@ public:
   void operator()(const System& system)
   {
     m_system = &system;
+    collect_tangents();
     for_each_split_corner(m_target.layout(), [this](size_type first, int i, size_type second, int j)
       { smooth(first, i, second, j); });
   }
@@ -122,8 +133,27 @@ private:
         functionals[k] = derivative_along(samples[k]);
       unknowns = free_control_points(functionals);
     }
-    if(!unknowns.empty())
-      make_normals_agree(first, samples, functionals, unknowns);
+    if(unknowns.empty())
+      return;
+    if(!m_is_jump_free)
+      move({}, {}, unknowns); // to the wanted tangents
+    make_normals_agree(first, samples, functionals, unknowns);
+  }
+
+  // where unknowns of the system act on the derivative along the line at the corner
+  void collect_tangents()
+  {
+    const Corner_tangents<Surface, Target> tangents(m_surface, m_target);
+    m_tangents.clear();
+    for_each_split_corner(m_target.layout(), [&](size_type first, int i, size_type second, int j)
+    {
+      Sample corner;
+      add_side(first, i, 1, 0, corner, 0);
+      Tangent tangent = {derivative_along(corner), tangents.derivative(first, i, second, j)};
+      remove_rounding(tangent.functional, std::sqrt(scale({tangent.functional})));
+      if(!free_control_points({tangent.functional}).empty() && tangent.wanted.allFinite())
+        m_tangents.push_back(tangent);
+    });
   }
 
   void make_normals_agree(size_type first, const std::vector<Sample>& samples,
@@ -247,9 +277,16 @@ private:
         largest = (std::max)(largest, std::abs(value));
       }
     }
-    for(auto it = result.begin(); it != result.end(); )
-      it = std::abs(it->second) <= relative_rounding * largest ? result.erase(it) : std::next(it);
+    remove_rounding(result, largest);
     return result;
+  }
+
+  // `largest`: of the values that the terms are sums of
+  static void remove_rounding(Functional& functional, double largest)
+  {
+    for(auto it = functional.begin(); it != functional.end(); )
+      it = std::abs(it->second) <= relative_rounding * largest ? functional.erase(it)
+                                                               : std::next(it);
   }
 
   Functional derivative_along(const Sample& s) const
@@ -288,7 +325,8 @@ private:
            + direction[side][1] * to_eigen(m_surface.derivative(patch, p.u, p.v, 0, 1));
   }
 
-  // one step of the constrained least-squares problem in the coordinates of the unknowns
+  // one step of the constrained least-squares problem in the coordinates of the unknowns; where the
+  // unknowns act on tangents at corners, these are constraints, too
   void move(const std::vector<Sample>& samples, const std::vector<Functional>& functionals,
             const std::vector<size_type>& unknowns)
   {
@@ -304,19 +342,24 @@ private:
         matrix.block<3, 3>(3 * a, 3 * b) = c * Eigen::Matrix3d::Identity();
         largest = (std::max)(largest, c);
       }
-    const double weight = constraint_weight * largest / scale(functionals);
-    for(size_type k = 0; k < samples.size(); ++k)
+    auto constrain = [&](const Functional& functional, const Eigen::Vector3d& direction,
+                         double residual, double weight)
     {
-      const Eigen::Vector3d direction = constraint_direction(samples[k]);
-      Eigen::VectorXd row = Eigen::VectorXd::Zero(3 * n);
-      for(Eigen::Index a = 0; a < n; ++a)
-      {
-        const auto it = functionals[k].find(unknowns[size_type(a)]);
-        if(it != functionals[k].end())
-          row.segment<3>(3 * a) = it->second * direction;
-      }
+      const Eigen::VectorXd row = constraint_row(functional, direction, unknowns);
+      if(row.isZero(0)) // other unknowns
+        return;
       matrix += weight * row * row.transpose();
-      right_hand_side -= weight * normal_jump(samples[k]) * row;
+      right_hand_side -= weight * residual * row;
+    };
+    for(size_type k = 0; k < samples.size(); ++k)
+      constrain(functionals[k], constraint_direction(samples[k]), normal_jump(samples[k]),
+                constraint_weight * largest / scale(functionals));
+    for(const Tangent& t : m_tangents)
+    {
+      const Eigen::Vector3d residual = value(t.functional) - t.wanted;
+      for(int d = 0; d < 3; ++d)
+        constrain(t.functional, Eigen::Vector3d::Unit(d), residual[d],
+                  constraint_weight * largest / scale({t.functional}));
     }
     const Eigen::VectorXd step = matrix.ldlt().solve(right_hand_side);
     if(!step.allFinite())
@@ -325,6 +368,29 @@ private:
     for(Eigen::Index a = 0; a < n; ++a)
       moved[size_type(a)] += step.segment<3>(3 * a);
     set_positions(unknowns, moved);
+  }
+
+  // the coefficients of the product of a functional and a direction
+  static Eigen::VectorXd constraint_row(const Functional& functional,
+                                        const Eigen::Vector3d& direction,
+                                        const std::vector<size_type>& unknowns)
+  {
+    Eigen::VectorXd row = Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(unknowns.size()));
+    for(size_type a = 0; a < unknowns.size(); ++a)
+    {
+      const auto it = functional.find(unknowns[a]);
+      if(it != functional.end())
+        row.segment<3>(3 * static_cast<Eigen::Index>(a)) = it->second * direction;
+    }
+    return row;
+  }
+
+  Eigen::Vector3d value(const Functional& functional) const
+  {
+    Eigen::Vector3d result = Eigen::Vector3d::Zero();
+    for(const auto& term : functional)
+      result += term.second * to_eigen(m_surface.control_point(term.first));
+    return result;
   }
 
   Eigen::Vector3d mean_normal(const Sample& s) const
@@ -362,6 +428,7 @@ private:
   Surface& m_surface;
   const Target& m_target;
   const System* m_system = nullptr;
+  std::vector<Tangent> m_tangents;
   bool m_is_jump_free = true; // do inner control points act on the jump at the present corner?
 };
 
