@@ -100,6 +100,27 @@ void test_square()
   assert(SMSC::find_boundary_vertices(surface, other, 1e-3).empty());
 }
 
+// A joint anywhere on a side of the square is found: in the middle of quads, and beside their
+// vertices, on either side.
+void test_places_of_joints()
+{
+  const CGAL::T_NURCC_surface_3<K> surface(block_layout<K>(
+    ring_blocks(), 2, [](double x, double y, double z) { return Point_3(x, y, z); },
+    [](const Point_3& p) { return std::abs(p.x() * p.y()) > 1 - 1e-9; }));
+  constexpr int n = 200;
+  for(int i = 1; i < n; ++i)
+  {
+    const Point_3 joint(-1 + 2. * i / n, -1, 0);
+    Fan fan({Point_3(-1, -1, 0), joint, Point_3(1, -1, 0), Point_3(1, 1, 0), Point_3(-1, 1, 0)});
+    const Network network(fan.mesh, fan.curves, fan.traits);
+    const auto vertices = SMSC::find_boundary_vertices(surface, network, 1e-9);
+    assert(vertices.size() == 5);
+    Shell shell;
+    SMSC::extract_NURBS_faces(surface, shell, CGAL::parameters::boundary_vertices(vertices));
+    assert(is_vertex(shell, joint, 1e-9));
+  }
+}
+
 // A closed chain: the seam is a vertex, and intervals run over it.
 void test_disk()
 {
@@ -147,6 +168,7 @@ void test_disk()
 int main()
 {
   test_square();
+  test_places_of_joints();
   test_disk();
   return 0;
 }

@@ -78,10 +78,20 @@ public:
   // that no edge becomes shorter than that.
   Vertex operator()(const Vector& p, double tolerance) const
   {
-    Vertex best = std::min_element(m_samples.begin(), m_samples.end(),
-                                   [&p](const Sample& a, const Sample& b)
-      { return (a.point - p).squaredNorm() < (b.point - p).squaredNorm(); })->place;
-    descend(p, best);
+    Vertex best = m_samples.front().place;
+    double distance = (std::numeric_limits<double>::infinity)();
+    for(std::size_t first = 0; first < m_samples.size(); first += intervals_per_side + 1)
+    {
+      Vertex v;
+      if(!find_start(p, first, v))
+        continue;
+      descend(p, v);
+      const double next_distance = (point(v) - p).norm();
+      if(!(next_distance < distance))
+        continue;
+      best = v;
+      distance = next_distance;
+    }
     for(const FT& end : patch_ends(best))
     {
       const Vertex candidate{best.quad, best.side, end};
@@ -100,6 +110,7 @@ public:
 private:
   static constexpr int intervals_per_side = 16;
   static constexpr int maximum_number_of_steps = 30;
+  static constexpr int maximum_number_of_halvings = 8; // of a step
 
   struct Sample
   {
@@ -116,22 +127,50 @@ private:
     return v.side < 2 ? t : Vector(-t);
   }
 
+  // The sample of a side, the samples of which begin at `first`, that is closest to `p`. Returns
+  // `false` if it is so far that `p` cannot lie on the side between it and its neighbors. (Beside a
+  // vertex of the layout, the closest sample of all may be that of the wrong side.)
+  bool find_start(const Vector& p, std::size_t first, Vertex& start) const
+  {
+    constexpr double largest_ratio = 2; // of the distance from a sample to that of its neighbors
+    auto distance = [&](std::size_t i) { return (m_samples[i].point - p).norm(); };
+    const std::size_t last = first + intervals_per_side;
+    std::size_t closest = first;
+    for(std::size_t i = first + 1; i <= last; ++i)
+      if(distance(i) < distance(closest))
+        closest = i;
+    double spacing = 0;
+    for(std::size_t i : {closest == first ? closest : closest - 1, (std::min)(closest, last - 1)})
+      spacing = (std::max)(spacing, (m_samples[i + 1].point - m_samples[i].point).norm());
+    start = m_samples[closest].place;
+    return distance(closest) <= largest_ratio * spacing;
+  }
+
   // Gauss-Newton steps along the side, as long as they come closer
   void descend(const Vector& p, Vertex& v) const
   {
-    double distance = (point(v) - p).norm();
     for(int k = 0; k < maximum_number_of_steps; ++k)
     {
       const Vector t = tangent(v);
-      const double step = t.dot(p - point(v)) / t.squaredNorm();
+      if(!move(p, t.dot(p - point(v)) / t.squaredNorm(), v))
+        return;
+    }
+  }
+
+  // moves a point along the side by a step, or by the largest of its halves, that comes closer
+  bool move(const Vector& p, double step, Vertex& v) const
+  {
+    const double distance = (point(v) - p).norm();
+    for(int i = 0; i < maximum_number_of_halvings; ++i, step /= 2)
+    {
       Vertex next = v;
       next.parameter = FT((std::min)(1., (std::max)(0., CGAL::to_double(v.parameter) + step)));
-      const double next_distance = (point(next) - p).norm();
-      if(!(next_distance < distance))
-        return;
+      if(!((point(next) - p).norm() < distance))
+        continue;
       v = next;
-      distance = next_distance;
+      return true;
     }
+    return false;
   }
 
   std::array<FT, 2> patch_ends(const Vertex& v) const
