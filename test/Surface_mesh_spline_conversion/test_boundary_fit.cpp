@@ -173,6 +173,49 @@ void test_shape(bool is_closed)
   }
 }
 
+// a straight line that goes on as a circular arc: its curvature jumps
+struct Line_and_arc
+{
+  static constexpr double end_of_line = 3.1234;
+
+  double angle(double s) const { return (std::max)(0., s - end_of_line) / 0.8; }
+  double arc_length(double x) const { return x + 0.05 * std::sin(x); }
+  double speed(double x) const { return 1 + 0.05 * std::cos(x); }
+  Eigen::Vector3d curve_point(double s) const
+  {
+    return Eigen::Vector3d((std::min)(s, end_of_line) + 0.8 * std::sin(angle(s)),
+                           0.8 * (1 - std::cos(angle(s))), 0);
+  }
+  Eigen::Vector3d curve_tangent(double s) const
+  {
+    return Eigen::Vector3d(std::cos(angle(s)), std::sin(angle(s)), 0);
+  }
+  Eigen::Vector3d point(double x) const { return curve_point(arc_length(x)); }
+  Eigen::Vector3d derivative(double x) const { return speed(x) * curve_tangent(arc_length(x)); }
+};
+
+// where short spans are needed, the spline runs along the curve about as fast as the target
+void test_evenness()
+{
+  Line_and_arc curve;
+  for(double tolerance : {1e-3, 1e-4, 1e-5})
+  {
+    const Chain_knots knots = internal::plan_bisection(
+      open_knots(6), curve, SC::Error_metric::REPROJECTED, tolerance, 1e-4, 10000);
+    const Chain_fit fit
+      = internal::fit_chain(knots, curve, SC::Error_metric::REPROJECTED, tolerance);
+    assert(fit.worst().bound < tolerance);
+    const Cubic_spline_basis basis = knots.basis();
+    for(int i = 0; i <= 3000; ++i)
+    {
+      const double x = i / 500.;
+      const Eigen::Vector3d derivative
+        = internal::evaluate(basis.values(basis.span_of(x), x), fit.polygon, 1);
+      assert(std::abs(derivative.norm() / curve.speed(x) - 1) < 0.01);
+    }
+  }
+}
+
 // the figures of 16 quads on a circle, with the tolerance relative to the diagonal of its box
 void test_number_of_segments()
 {
@@ -280,6 +323,7 @@ int main()
   test_ends();
   test_number_of_segments();
   test_balance();
+  test_evenness();
   test_shape(true);
   test_shape(false);
   for(double jitter : {0., 0.5})

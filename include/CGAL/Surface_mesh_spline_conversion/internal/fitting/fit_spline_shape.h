@@ -18,6 +18,7 @@
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -30,10 +31,14 @@ namespace internal {
 // the points of the spline are.
 //
 // The distances across the curve, at the closest points of the curve, are minimized in the
-// least-squares sense by Gauss-Newton steps; those along the curve count with a small weight. The
-// order of the error is then higher than four, and a coarse spline may be several times closer to
-// the curve than the fit at equal parameters. The ends of an open spline stay, as do the directions
-// of its end derivatives; their lengths are unknowns.
+// least-squares sense by Gauss-Newton steps; the distances along it, to the points at equal
+// parameters, count with a small weight. The order of the error is then higher than four, and a
+// coarse spline may be several times closer to the curve than the fit at equal parameters. The ends
+// of an open spline stay, as do the directions of its end derivatives; their lengths are unknowns.
+//
+// The weight is the given one on spans of length 1, and grows with the inverse square of the
+// length. Short spans are there for a jump of the curvature, where sliding along the curve gains
+// little, but would make the speed of the spline ripple.
 template <typename CurveTarget>
 class Spline_shape_fitter
 {
@@ -65,7 +70,8 @@ private:
   struct Sample
   {
     Cubic_spline_basis::Values values;
-    double weight, arc_length;
+    double weight, tangential_weight;
+    double arc_length, first_arc_length; // of the closest point, and at the same parameter
   };
 
   // an unknown, and what it adds to the point of a sample
@@ -79,8 +85,9 @@ private:
       for(std::size_t k = 0; k < boole_weights.size(); ++k)
       {
         const double x = begin + length * (double(k) / 4);
+        const double s = m_target.arc_length(x);
         m_samples.push_back({m_basis.values(span, x), boole_weights[k] * length,
-                             m_target.arc_length(x)});
+                             (std::min)(1., m_tangential_weight / (length * length)), s, s});
       }
     }
   }
@@ -126,9 +133,11 @@ private:
       const Eigen::Vector3d tangent = m_target.curve_tangent(sample.arc_length);
       const Eigen::Matrix3d weight
         = sample.weight * (Eigen::Matrix3d::Identity()
-                           - (1 - m_tangential_weight) * tangent * tangent.transpose());
+                           - (1 - sample.tangential_weight) * tangent * tangent.transpose());
       const Eigen::Vector3d residual
-        = weight * (m_target.curve_point(sample.arc_length) - evaluate(sample.values, polygon, 0));
+        = weight * (m_target.curve_point(sample.arc_length)
+                    + (sample.first_arc_length - sample.arc_length) * tangent
+                    - evaluate(sample.values, polygon, 0));
       const std::vector<Term> row = terms(sample, polygon);
       for(const Term& a : row)
       {

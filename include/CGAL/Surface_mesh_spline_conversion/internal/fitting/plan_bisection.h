@@ -193,7 +193,7 @@ Chain_fit fit_chain(const Chain_knots& knots, CurveTarget& target)
 template <typename CurveTarget>
 Chain_fit fit_chain_shape(const Chain_knots& knots, const Chain_fit& start, CurveTarget& target)
 {
-  constexpr double tangential_weights[] = {1e-4, 1e-3, 1e-2, 1e-1};
+  constexpr double tangential_weights[] = {1e-3, 1e-2, 1e-1};
   constexpr double largest_shift = 0.05; // in sides of quads
   const Cubic_spline_basis basis = knots.basis();
   for(double weight : tangential_weights)
