@@ -25,6 +25,7 @@
 #include <CGAL/Surface_mesh_spline_conversion/internal/conversion/Mesh_component.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/conversion/conversion_options.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/conversion/facet_sagitta.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/conversion/large_corners.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/conversion/merge_reports.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/Interior_fitter.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/fit_parameters.h>
@@ -157,6 +158,7 @@ private:
       return network.error();
     }
     part.input.facet_sagitta = facet_sagitta(component.mesh, get(vertex_point, component.mesh));
+    warn_about_large_corners(component.mesh, get(vertex_point, component.mesh), network, part);
     Quad_layout<Kernel> layout;
     const Error_code code
       = compute_quad_layout(component.mesh, network, layout, part,
