@@ -120,11 +120,9 @@ Quad_layout notched_pentagon(const std::array<double, 3>& notch, int n)
 {
   Blocks blocks = polygon_blocks(5);
   blocks[0][3] = blocks[1][1] = notch;
-  return block_layout<Kernel>(blocks, n, [](double x, double y, double z) { return Point(x, y, z); },
-                              [&notch](const Point& p)
-  {
-    return p == Point(notch[0], notch[1], notch[2]);
-  });
+  return block_layout<Kernel>(
+    blocks, n, [](double x, double y, double z) { return Point(x, y, z); },
+    [&notch](const Point& p) { return p == Point(notch[0], notch[1], notch[2]); });
 }
 
 Vector unit(const Vector& v) { return v / std::sqrt(v.squared_length()); }
@@ -159,7 +157,7 @@ void test(const std::array<double, 3>& notch, int n)
   assert(SC::fit_boundary(surface, target, report, np) == SC::Error_code::OK);
   assert(SC::fit_interior(surface, target, report, np) == SC::Error_code::OK);
   int corners = 0;
-  SC::internal::for_each_split_corner(layout, [&](std::size_t first, int i, std::size_t second, int j)
+  auto check = [&](std::size_t first, int i, std::size_t second, int j)
   {
     ++corners;
     const Point corner = target.vertex(second, j);
@@ -177,7 +175,8 @@ void test(const std::array<double, 3>& notch, int n)
       if(y == 0)
         assert(unit(a[1]) * bisector > 1 - 1e-6);
     }
-  });
+  };
+  SC::internal::for_each_split_corner(layout, check);
   assert(corners == 1);
 }
 

@@ -40,8 +40,8 @@ void warn_about_large_corners(const TriangleMesh& tm, const VertexPointMap& vpm,
     const auto& p = get(vpm, v);
     report.warnings.push_back("the interior angle of the corner at ("
       + format_number(CGAL::to_double(p.x())) + ", " + format_number(CGAL::to_double(p.y())) + ", "
-      + format_number(CGAL::to_double(p.z())) + ") is " + format_number(degrees) + " degrees: two quads "
-      "cannot fill it, and next to the corner the surface is folded over, within the tolerances");
+      + format_number(CGAL::to_double(p.z())) + ") is " + format_number(degrees) + " degrees: two "
+      "quads cannot fill it, and next to the corner the surface is folded over, within the tolerances");
   }
 }
 
