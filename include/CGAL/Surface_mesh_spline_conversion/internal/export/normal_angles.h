@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
+#include <CGAL/Surface_mesh_spline_conversion/Knot_vector.h>
 #include <CGAL/Surface_mesh_spline_conversion/NURBS_shell_3.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/Deviation_statistics.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/bezier_pieces.h>
@@ -81,17 +82,35 @@ std::vector<Edge_on_face> places_of_edges(const NURBS_shell_3<K>& shell, std::si
   return result;
 }
 
-/// the unit normals of a face at `n + 1` points of an edge, in the direction of the edge; zero
-/// where there is none
+/// the fractions of a curve that divide each of its spans into `n` intervals
+template <typename FT>
+std::vector<double> fractions_of_spans(const Knot_vector<FT>& knots, int n)
+{
+  const std::vector<FT>& breaks = knots.knots();
+  const double first = CGAL::to_double(breaks.front());
+  const double extent = CGAL::to_double(breaks.back()) - first;
+  std::vector<double> result(1, 0);
+  for(std::size_t k = 0; k + 1 < breaks.size(); ++k)
+  {
+    const double low = (CGAL::to_double(breaks[k]) - first) / extent;
+    const double high = (CGAL::to_double(breaks[k + 1]) - first) / extent;
+    for(int i = 1; i <= n; ++i)
+      result.push_back(low + (high - low) * i / n);
+  }
+  return result;
+}
+
+/// the unit normals of a face at fractions of an edge, in the direction of the edge; zero where
+/// there is none
 template <typename K>
 std::vector<Eigen::Vector3d> normals_along_edge(const B_spline_surface_3<K>& surface,
-                                                const Edge_on_face& place, bool is_forward, int n)
+                                                const Edge_on_face& place, bool is_forward,
+                                                const std::vector<double>& fractions)
 {
   std::vector<Eigen::Vector3d> result;
-  for(int i = 0; i <= n; ++i)
+  for(double t : fractions)
   {
-    const double t = (is_forward ? i : n - i) / double(n);
-    const std::array<double, 2> uv = place.parameters(surface, t);
+    const std::array<double, 2> uv = place.parameters(surface, is_forward ? t : 1 - t);
     const auto d = surface.derivatives(uv[0], uv[1], 1);
     result.push_back(to_eigen(d[1][0]).cross(to_eigen(d[0][1])).stableNormalized());
   }
@@ -123,20 +142,20 @@ Normal_angles normal_angles(const NURBS_shell_3<K>& shell, double bound)
       if(shell.is_border(use.edge))
         continue;
       const B_spline_curve_3<K>& curve = shell.edge(use.edge).curve;
-      const int n = INTERVALS_OF_A_SPAN * int(curve.knots.number_of_spans());
+      const std::vector<double> fractions = fractions_of_spans(curve.knots, INTERVALS_OF_A_SPAN);
       const std::vector<Eigen::Vector3d> normals
-        = normals_along_edge(shell.face(f).surface, places[i], use.is_forward, n);
+        = normals_along_edge(shell.face(f).surface, places[i], use.is_forward, fractions);
       if(first[use.edge].empty())
       {
         first[use.edge] = normals;
         continue;
       }
       Deviation_statistics edge;
-      for(int k = 0; k <= n; ++k)
+      for(std::size_t k = 0; k < fractions.size(); ++k)
       {
         const Eigen::Vector3d &a = first[use.edge][k], &b = normals[k];
         const double angle = std::atan2(a.cross(b).norm(), a.dot(b)) * 180 / CGAL_PI;
-        const auto t = curve.first() + (curve.last() - curve.first()) * k / double(n);
+        const auto t = curve.first() + (curve.last() - curve.first()) * fractions[k];
         const Eigen::Vector3d p = to_eigen(curve.point(t));
         edge.add(angle, p);
         result.statistics.add(angle, p);
