@@ -126,6 +126,7 @@ private:
     std::vector<Sample> samples;
     std::vector<Eigen::Vector3d> points;
     std::vector<double> deviations;
+    std::vector<char> is_peak; // is no sample beside it larger?
     long facing = 0;      // samples that look like the mesh minus those that look against it
     std::size_t hint = 0; // for the search on the mesh
   };
@@ -181,6 +182,31 @@ private:
     for(int b = 0; b <= 2 * nv; ++b)
       for(int a = b & 1; a <= 2 * nu; a += 2)
         add_sample({i, a / (2. * nu), b / (2. * nv), part.hint}, a & 1, part);
+    find_peaks(nu, nv, part);
+  }
+
+  // Samples lie where the sum of column and row is even, see above.
+  static void find_peaks(int nu, int nv, Piece_samples& part)
+  {
+    static constexpr int OFFSETS[8][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1},
+                                          {-2, 0}, {2, 0}, {0, -2}, {0, 2}};
+    auto deviation = [&](int column, int row)
+    {
+      const int before = row / 2 * (2 * nu + 1) + (row & 1) * (nu + 1);
+      return part.deviations[std::size_t(before + column / 2)];
+    };
+    for(int b = 0; b <= 2 * nv; ++b)
+      for(int a = b & 1; a <= 2 * nu; a += 2)
+      {
+        bool is_peak = true;
+        for(const auto& offset : OFFSETS)
+        {
+          const int column = a + offset[0], row = b + offset[1];
+          if(0 <= column && column <= 2 * nu && 0 <= row && row <= 2 * nv)
+            is_peak = is_peak && deviation(column, row) <= deviation(a, b);
+        }
+        part.is_peak.push_back(is_peak);
+      }
   }
 
   void add_sample(Sample sample, bool is_center, Piece_samples& part) const
@@ -202,6 +228,7 @@ private:
     m_samples.insert(m_samples.end(), part.samples.begin(), part.samples.end());
     m_points.insert(m_points.end(), part.points.begin(), part.points.end());
     m_deviations.insert(m_deviations.end(), part.deviations.begin(), part.deviations.end());
+    m_is_peak.insert(m_is_peak.end(), part.is_peak.begin(), part.is_peak.end());
     for(std::size_t i = 0; i < part.points.size(); ++i)
     {
       m_statistics.add(part.deviations[i], part.points[i]);
@@ -235,13 +262,13 @@ private:
     }
   }
 
-  // the samples that come close to the limit, and the largest ones of a few pieces
+  // the peaks that come close to the limit, and the largest samples of a few pieces
   std::vector<std::size_t> starts_of_climbs() const
   {
     std::vector<std::size_t> largest, result; // the largest of each piece
     for(std::size_t i = 0; i < m_samples.size(); ++i)
     {
-      if(m_deviations[i] > CLOSE_TO_LIMIT * m_limit)
+      if(m_is_peak[i] && m_deviations[i] > CLOSE_TO_LIMIT * m_limit)
         result.push_back(i);
       if(i == 0 || m_samples[i].piece != m_samples[i - 1].piece)
         largest.push_back(i);
@@ -336,6 +363,7 @@ private:
   std::vector<Sample> m_samples;
   std::vector<Eigen::Vector3d> m_points;
   std::vector<double> m_deviations;
+  std::vector<char> m_is_peak;
   std::map<std::size_t, long> m_facing; // by face
   std::map<std::size_t, Violation> m_violations; // by piece
   Deviation_statistics m_statistics;
