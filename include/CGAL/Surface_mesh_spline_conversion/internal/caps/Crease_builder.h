@@ -37,7 +37,8 @@ struct Crease
   std::vector<std::int64_t> breaks;                      ///< along the line, from 0 on
   std::array<std::int64_t, 2> width;                     ///< of the left and the right face
   std::array<std::vector<Eigen::Vector3d>, 2> points;    ///< Bezier points of the faces, see below
-  Eigen::Vector3d shift = Eigen::Vector3d::Zero();       ///< second Bezier point of the cubic that moves the line
+  Eigen::Vector3d shift = Eigen::Vector3d::Zero();       ///< a third of the change of the derivative along the line at the boundary, times `shift_end`
+  std::int64_t shift_end = 0;                            ///< y from where on the line is not moved
   double deviation = 0;                                  ///< from the surface, normal to it
   bool ends_at_cap = false;                              ///< of the same width
 };
@@ -48,8 +49,9 @@ struct Crease
 ///
 /// At the boundary, the tangent plane is that of the curves. Where the surface misses it because
 /// the direction of the line depends on several control points there, the line is moved by a cubic
-/// that takes its direction into the plane, and the surface on both sides with it. At the end of
-/// the line, the cubic and its derivative vanish.
+/// spline that takes its direction into the plane, and the surface on both sides with it. The
+/// spline has two pieces of the same length and fades out twice continuously differentiable. It is
+/// as long as the line, or a half, a quarter, ... of it where that would move the surface too far.
 ///
 /// The points of a face are those of its pieces along the line, 24 each: `4*b+a` for point a in x,
 /// from smaller to larger x, and b in y.
@@ -70,7 +72,7 @@ public:
   };
 
   Crease_builder(const Cell_complex& complex, const Settings& settings)
-    : m_complex(complex), m_tolerance(settings.tolerance)
+    : m_complex(complex), m_tolerance(settings.tolerance), m_equality(settings.equality)
   {
     m_lines = Crease_finder(complex, settings.levels, settings.equality)();
     if(!settings.may_end_at_caps)
@@ -145,8 +147,7 @@ private:
       crease.width[side] = width(line.cells[side]);
     if(line.ends_at_cap && !fit_to_cap(line, crease))
       return false;
-    crease.shift = shift_to_plane(pieces(line, crease, 0).front(), pieces(line, crease, 1).front(),
-                                  double(crease.breaks.back()) / double(crease.breaks[1]));
+    set_shift(pieces(line, crease, 0).front(), pieces(line, crease, 1).front(), crease);
     const Crease_ribbons ribbons(pieces(line, crease, 0), pieces(line, crease, 1),
                                  lengths(crease), {{size(crease.width[0]), size(crease.width[1])}});
     if(!ribbons.is_regular())
@@ -165,40 +166,67 @@ private:
     return true;
   }
 
-  // The shift that takes the direction of the line at the boundary into the plane of the tangents
-  // there, for the first pieces on both sides and the length of the line over that of the pieces;
-  // none where it would move the surface too far.
-  Eigen::Vector3d shift_to_plane(const Bicubic& left, const Bicubic& right, double length) const
+  // Sets the shift that takes the direction of the line at the boundary into the plane of the
+  // tangents there, for the first pieces on both sides; none where that is so already, or where
+  // even the shortest would move the surface too far.
+  void set_shift(const Bicubic& left, const Bicubic& right, Crease& crease) const
   {
     constexpr double smallest_sine = 1e-6; // tangents with a smaller one have no plane to speak of
     const Eigen::Vector3d before = left[3] - left[2], after = right[1] - right[0];
     const Eigen::Vector3d normal = before.cross(after);
     if(normal.norm() <= smallest_sine * before.norm() * after.norm())
-      return Eigen::Vector3d::Zero();
-    const Eigen::Vector3d shift
-      = normal * (length * normal.dot(right[0] - right[4]) / normal.squaredNorm());
-    if(deviation_of_shift(shift) > m_tolerance)
-      return Eigen::Vector3d::Zero();
-    return shift;
+      return;
+    const double height = normal.dot(right[0] - right[4]) / normal.squaredNorm();
+    const Eigen::Vector3d change = height / double(crease.breaks[1]) * normal;
+    for(int i = 0; i <= MAXIMUM_NUMBER_OF_HALVINGS; ++i)
+    {
+      const std::int64_t end = crease.breaks.back() >> i;
+      const Eigen::Vector3d shift = change * double(end);
+      if(deviation_of_shift(shift) > m_tolerance)
+        continue;
+      if(deviation_of_shift(shift) <= m_equality)
+        return;
+      crease.shift = shift;
+      crease.shift_end = end;
+      insert_break(end / 2, crease.breaks);
+      insert_break(end, crease.breaks);
+      return;
+    }
+  }
+
+  static void insert_break(std::int64_t y, std::vector<std::int64_t>& breaks)
+  {
+    const auto at = std::lower_bound(breaks.begin(), breaks.end(), y);
+    if(*at != y)
+      breaks.insert(at, y);
+  }
+
+  // Bezier point `i` of max(0, 1 - y/end)^3 between two values of y, both on the same side of `end`
+  static double fading_cube(std::int64_t first, std::int64_t last, std::int64_t end, int i)
+  {
+    if(last > end)
+      return 0;
+    return std::pow(1 - double(first) / double(end), 3 - i)
+         * std::pow(1 - double(last) / double(end), i);
   }
 
   // adds what moves the line to the points of a bicubic from `first` to `last` along it
   static void add_shift(const Crease& crease, std::size_t side, std::int64_t first,
                         std::int64_t last, Bicubic& points)
   {
-    const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
-    const double length = double(crease.breaks.back());
-    const Cubic shift = restriction(Cubic{{zero, crease.shift, zero, zero}}, double(first) / length,
-                                    double(last) / length);
     for(int b = 0; b < 4; ++b)
+    {
+      const double share = fading_cube(first, last, crease.shift_end, b)
+                         - fading_cube(first, last, crease.shift_end / 2, b);
       for(int column : {0, 1}) // the line, and beside it
-        points[4 * b + (side == 0 ? DEGREE_ACROSS - column : column)] += shift[b];
+        points[4 * b + (side == 0 ? DEGREE_ACROSS - column : column)] += share * crease.shift;
+    }
   }
 
   static double deviation_of_shift(const Eigen::Vector3d& shift)
   {
-    constexpr double largest_bernstein_value = 4. / 9.;
-    return largest_bernstein_value * shift.norm();
+    constexpr double largest_share = 0.3; // of the difference of cubes
+    return largest_share * shift.norm();
   }
 
   // the cap is as wide as the last cells, whatever they share
@@ -302,9 +330,11 @@ private:
       parts.push_back(placed.cell);
     const Tick_rectangle block = {{{side == 0 ? -c.width[0] : 0, 0}},
                                   {{side == 0 ? 0 : c.width[1], c.breaks.back()}}};
+    const std::array<std::vector<std::int64_t>, 2> cuts
+      = {{{block.low[0], block.high[0]}, {c.shift_end / 2, c.shift_end, block.high[1]}}};
     for(std::size_t i = 0; i < parts.size(); ++i)
       for(int axis = 0; axis < 2; ++axis)
-        for(std::int64_t at : {block.low[axis], block.high[axis]})
+        for(std::int64_t at : cuts[axis])
         {
           const Tick_rectangle r = placed.frame(cells[parts[i]].rectangle);
           if(!(r.low[axis] < at && at < r.high[axis]))
@@ -348,6 +378,7 @@ private:
 
   const Cell_complex& m_complex;
   double m_tolerance;
+  double m_equality;
   std::vector<Crease_line> m_lines;
   std::vector<int> m_number_of_uses; // of each cell
 };
