@@ -361,6 +361,10 @@ public:
   /// exactly `levels` times, at least once.
   std::vector<Bezier_element> bezier_elements(int levels = 1) const;
 
+  /// returns the Bezier elements of one patch.
+  /// \pre `!is_extraordinary_patch(patch)`
+  std::vector<Bezier_element> patch_elements(size_type patch) const;
+
   /// returns a number of subdivisions after which the two rings around extraordinary point `i`
   /// are uniform and contain neither another extraordinary point nor a boundary vertex inside.
   int minimum_ring_level(size_type i) const;

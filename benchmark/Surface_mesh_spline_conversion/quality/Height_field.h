@@ -87,7 +87,8 @@ public:
     face = 0;
     return point(quad, u, v);
   }
-  Point_3 foot_point(const Point_3&, std::size_t, FT, FT, const Point_3& start, std::size_t) const
+  Point_3 foot_point(const Point_3&, std::size_t, FT, FT, const Point_3& start,
+                     std::size_t, std::size_t&) const
   {
     return start; // distances are those at equal (x,y)
   }

@@ -226,21 +226,29 @@ public:
   */
   Point_3 foot_point(const Point_3& p, size_type quad, const FT& u, const FT& v) const
   {
-    const Mesh_place at = place_on_mesh(quad, u, v);
-    return foot_point(
-      p, quad, Foot{Mesh_projection::to_double_point(at.location.point), at.location.face},
-      at.displacement, smooth_point(at.location) + at.displacement);
+    size_type near_face = number_of_mesh_faces();
+    return foot_point_on_mesh(p, quad, u, v, near_face);
   }
 
   /// returns the same point; `start` is `point(quad, u, v, face)`, which need not be found again.
+  /// The search is fast if the face of the mesh at the position `near_face` is near the closest
+  /// point; `near_face` becomes the face the point found is made from.
+  Point_3 foot_point(const Point_3& p, size_type quad, const FT& u, const FT& v,
+                     const Point_3& start, size_type face, size_type& near_face) const
+  {
+    if(is_boundary_quad(quad))
+      return foot_point_on_mesh(p, quad, u, v, near_face);
+    const Mesh_projection::Point_3 q = Mesh_projection::to_double_point(start);
+    return foot_point(p, quad, Foot{has_smooth_target() ? m_mesh->closest_point(face, q) : q, face},
+                      Vector_3(FT(0), FT(0), FT(0)), start, near_face);
+  }
+
+  /// returns the same point.
   Point_3 foot_point(const Point_3& p, size_type quad, const FT& u, const FT& v,
                      const Point_3& start, size_type face) const
   {
-    if(is_boundary_quad(quad))
-      return foot_point(p, quad, u, v);
-    const Mesh_projection::Point_3 q = Mesh_projection::to_double_point(start);
-    return foot_point(p, quad, Foot{has_smooth_target() ? m_mesh->closest_point(face, q) : q, face},
-                      Vector_3(FT(0), FT(0), FT(0)), start);
+    size_type near_face = face;
+    return foot_point(p, quad, u, v, start, face, near_face);
   }
 
   /// returns `true` if the patches are made from curved triangles instead of the faces of the mesh.
@@ -401,23 +409,42 @@ private:
   // Returns the point of the mesh closest to `query`; with the smooth target, the point of the mesh
   // that belongs to about the closest one of the target: the displacement is taken to be the same
   // around it.
-  Foot closest_foot(const Mesh_projection::Point_3& query, const Foot& hint) const
+  Foot closest_foot(const Mesh_projection::Point_3& query, const Foot& hint,
+                    size_type near_face) const
   {
     constexpr int number_of_rounds = 2;
     if(!has_smooth_target())
-      return (*m_mesh)(query, hint.face);
+      return (*m_mesh)(query, near_face);
     Foot foot = hint;
     for(int round = 0; round < number_of_rounds; ++round)
-      foot = (*m_mesh)(query - curved_displacement(foot), foot.face);
+    {
+      foot = (*m_mesh)(query - curved_displacement(foot), near_face);
+      near_face = foot.face;
+    }
     return foot;
+  }
+
+  // finds the place of the mesh at the parameters; the search for the closest point begins there
+  // if `near_face` is no face
+  Point_3 foot_point_on_mesh(const Point_3& p, size_type quad, const FT& u, const FT& v,
+                             size_type& near_face) const
+  {
+    const Mesh_place at = place_on_mesh(quad, u, v);
+    if(near_face == number_of_mesh_faces())
+      near_face = at.location.face;
+    return foot_point(
+      p, quad, Foot{Mesh_projection::to_double_point(at.location.point), at.location.face},
+      at.displacement, smooth_point(at.location) + at.displacement, near_face);
   }
 
   // `hint`: a point of the mesh about below `start`; `displacement`: what the patch adds to the
   // mesh
   Point_3 foot_point(const Point_3& p, size_type quad, const Foot& hint,
-                     const Vector_3& displacement, const Point_3& start) const
+                     const Vector_3& displacement, const Point_3& start, size_type& near_face) const
   {
-    const Foot foot = closest_foot(Mesh_projection::to_double_point(p - displacement), hint);
+    const Foot foot
+      = closest_foot(Mesh_projection::to_double_point(p - displacement), hint, near_face);
+    near_face = foot.face;
     // quads near extraordinary points may be much smaller than the others
     const double limit
       = largest_move * CGAL::to_double((std::max)(m_quad_sizes[quad], m_mean_quad_size));

@@ -188,6 +188,27 @@ public:
     m_fit_targets[m_first_fit_sample[patch] + k] = p;
   }
 
+  // the face of the mesh that the point of the target closest to the surface at a fit sample was
+  // last found on: where to search for it again
+  size_type near_face(size_type patch, size_type k) const
+  {
+    return m_near_faces[m_first_fit_sample[patch] + k];
+  }
+
+  void set_near_face(size_type patch, size_type k, size_type face)
+  {
+    m_near_faces[m_first_fit_sample[patch] + k] = face;
+  }
+
+  // returns the face of the fit sample before an error sample
+  size_type near_face(size_type i) const
+  {
+    const size_type patch = m_patches[i], k = i - m_first_error_sample[patch];
+    const Grid& g = m_grids[patch];
+    const size_type row = 2 * g.u + 1;
+    return near_face(patch, k / row / 2 * (g.u + 1) + k % row / 2);
+  }
+
   // takes the points with equal parameters as targets of the fit
   void reset_fit_targets()
   {
@@ -257,6 +278,7 @@ private:
     m_targets.resize(m_first_error_sample.back());
     m_faces.resize(m_first_error_sample.back());
     m_fit_targets.resize(m_first_fit_sample.back());
+    m_near_faces.resize(m_first_fit_sample.back());
   }
 
   // compares the lines in the middle of the patch with the longest edge of the face in its center
@@ -294,6 +316,8 @@ private:
       m_targets[i] = to_eigen(m_target.point(at.quad, at.u, at.v, m_faces[i]));
     }
     reset_fit_targets(patch);
+    for(size_type k = 0; k < m_grids[patch].number_of_fit_samples(); ++k)
+      set_near_face(patch, k, mesh_face(error_sample(patch, k)));
   }
 
   void copy_targets(size_type patch, const Interior_samples& other)
@@ -306,7 +330,10 @@ private:
       m_faces[i] = other.m_faces[old_first + i - first];
     }
     for(size_type k = 0; k < m_grids[patch].number_of_fit_samples(); ++k)
+    {
       set_fit_target(patch, k, other.fit_target(old, k));
+      set_near_face(patch, k, other.near_face(old, k));
+    }
   }
 
   void reset_fit_targets(size_type patch)
@@ -382,7 +409,8 @@ private:
   std::vector<size_type> m_first_fit_sample, m_first_error_sample; // of a patch
   std::vector<size_type> m_patches; // of the error samples
   std::vector<Eigen::Vector3d> m_targets, m_fit_targets;
-  std::vector<size_type> m_faces;
+  std::vector<size_type> m_faces;      // of the mesh, at the error samples
+  std::vector<size_type> m_near_faces; // see near_face()
 };
 
 } // namespace internal

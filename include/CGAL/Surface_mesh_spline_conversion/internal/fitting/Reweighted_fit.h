@@ -51,14 +51,14 @@ public:
   void operator()(std::unique_ptr<Errors>& errors, double accuracy)
   {
     constexpr int number_of_rounds = 4;
-    std::vector<Patch_error> violations = errors->errors(m_tolerance);
+    std::vector<Patch_error> violations = errors->errors(m_tolerance, largest_excess * m_tolerance);
     std::vector<Point_3> points = control_points();
     size_type fewest = violations.size();
     std::unique_ptr<Errors> next(new Errors(*errors));
     for(int round = 0; round < number_of_rounds && fit(violations, accuracy); ++round)
     {
       next->update();
-      violations = next->errors(m_tolerance);
+      violations = next->errors(m_tolerance, largest_excess * m_tolerance);
       if(violations.size() >= fewest)
         continue;
       fewest = violations.size();

@@ -11,13 +11,12 @@
 
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
+#include <CGAL/Surface_mesh_spline_conversion/internal/fitting/Bezier_patches.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/patches/quad_sides.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/to_eigen.h>
 
 #include <Eigen/Core>
 #include <Eigen/LU>
-
-#include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_spline_conversion {
@@ -31,9 +30,10 @@ class Surface_foot_point
   typedef decltype(Place::u) FT;
 
 public:
-  Surface_foot_point(const Surface& surface, const Layout& layout, const Eigen::Vector3d& query,
-                     const Place& place)
-    : m_surface(surface), m_layout(layout), m_query(query), m_place(place), m_point(point(place))
+  Surface_foot_point(const Bezier_patches<Surface>& patches, const Layout& layout,
+                     const Eigen::Vector3d& query, const Place& place)
+    : m_patches(patches), m_surface(patches.surface()), m_layout(layout), m_query(query),
+      m_place(place), m_point(point(place))
   {}
 
   const Eigen::Vector3d& operator()()
@@ -55,7 +55,7 @@ private:
 
   Eigen::Vector3d point(const Place& p) const
   {
-    return to_eigen(m_surface.position(p.patch, p.u, p.v));
+    return m_patches.point(p.patch, p.u, p.v);
   }
 
   // At an extraordinary point the parametrization has no regular derivative; a place a little
@@ -74,16 +74,10 @@ private:
   bool improve(const Place& start)
   {
     constexpr double largest_step = 0.25; // in quads
-    Eigen::Vector3d difference = m_query;
-    Eigen::Matrix<double, 3, 2> tangents = Eigen::Matrix<double, 3, 2>::Zero();
-    m_surface.basis(start.patch, start.u, start.v, 1, m_functions);
-    for(const auto& f : m_functions)
-    {
-      const Eigen::Vector3d p = to_eigen(m_surface.control_point(f.control_point));
-      difference -= f.value[0] * p;
-      tangents.col(0) += f.value[1] * p;
-      tangents.col(1) += f.value[2] * p;
-    }
+    const auto at_start = m_patches.point_and_tangents(start.patch, start.u, start.v);
+    const Eigen::Vector3d difference = m_query - at_start.point;
+    Eigen::Matrix<double, 3, 2> tangents;
+    tangents << at_start.u, at_start.v;
     const Eigen::Matrix2d gram = tangents.transpose() * tangents;
     if(!(gram.determinant() > 0))
       return false;
@@ -112,10 +106,10 @@ private:
     return after < (1 - smallest_gain) * before;
   }
 
+  const Bezier_patches<Surface>& m_patches;
   const Surface& m_surface;
   const Layout& m_layout;
   const Eigen::Vector3d& m_query;
-  std::vector<typename Surface::Basis_function> m_functions; // at the start of a step
   Place m_place;
   Eigen::Vector3d m_point;
 };

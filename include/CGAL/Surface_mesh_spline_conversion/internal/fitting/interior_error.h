@@ -12,7 +12,9 @@
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
 #include <CGAL/Surface_mesh_spline_conversion/internal/Point_index.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/fitting/Bezier_patches.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/Interior_samples.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/fitting/Split_directions.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/Surface_foot_point.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/for_each_index.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/to_eigen.h>
@@ -22,6 +24,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <numeric>
 #include <set>
 #include <vector>
@@ -42,8 +45,9 @@ struct Largest_error
 // Vertices in quads with a boundary side do not count, as the target differs from the mesh there.
 //
 // The distance between points with equal parameters is an upper bound of the distance between a
-// point and the other side. Samples are therefore visited by descending bound, and foot points
-// are computed only as long as the bound exceeds the largest distance found.
+// point and the other side; so is the distance before control points have moved, plus the largest
+// of their moves. Foot points are computed only where the bound reaches the tolerance, or by
+// descending bound as long as it exceeds the largest distance found.
 template <typename Surface, typename Target>
 class Interior_error
 {
@@ -55,52 +59,52 @@ class Interior_error
 
 public:
   // `is_parametric`: only the distances between points with equal parameters count.
-  // `previous`: the error on the previous samples, or a null pointer; it is kept where neither the
-  // surface nor its neighbourhood has changed
+  // `previous`: the error on the previous samples, or a null pointer; it bounds the error where the
+  // functions of the surface have not changed
   Interior_error(const Surface& surface, const Target& target, const Samples& samples,
                  bool is_parametric, const Interior_error* previous)
-    : m_surface(surface), m_target(target), m_samples(samples), m_is_parametric(is_parametric)
+    : m_surface(surface), m_target(target), m_samples(samples), m_is_parametric(is_parametric),
+      m_patches(surface)
   {
     for(size_type i = 0; i < surface.number_of_control_points(); ++i)
       m_control_points.push_back(to_eigen(surface.control_point(i)));
-    m_is_kept.assign(samples.number_of_patches(), false);
+    m_moves.assign(samples.number_of_patches(), unbounded);
     if(previous != nullptr)
-      find_kept_patches([&](size_type p) { return has_previous_points(p, *previous); });
+      find_moves([&](size_type p) { return samples.has_previous_functions(p)
+                                             ? move(p, previous->m_control_points) : unbounded; });
     const size_type n = samples.number_of_error_samples();
     m_points.resize(n);
-    m_distances.resize(n);
-    m_is_bound.resize(n);
+    m_distances.resize(n, unbounded);
+    m_is_bound.resize(n, true);
     for_each_index(samples.number_of_patches(), [&](size_type p)
     {
-      if(m_is_kept[p])
+      if(m_moves[p] != unbounded)
         copy_distances(p, *previous);
+      if(m_moves[p] == 0)
+        m_patches.copy(p, previous->m_patches, samples.previous_patch(p));
       else
         make_bounds(p);
     });
     if(!is_parametric)
-    {
-      m_nearest = nearest_samples();
-      m_errors_of_vertices.resize(m_nearest.size());
-      measure_vertices([&](size_type v) { return previous_error_of_vertex(v, previous); });
-    }
+      add_vertices(previous);
   }
 
-  // measures anew what has changed since control points have moved
+  // adapts the bounds since control points have moved
   void update()
   {
     std::vector<Eigen::Vector3d> before(m_control_points.size());
     before.swap(m_control_points);
     for(size_type i = 0; i < before.size(); ++i)
       m_control_points[i] = to_eigen(m_surface.control_point(i));
-    find_kept_patches([&](size_type p) { return has_points(p, before); });
-    for_each_index(m_is_kept.size(), [&](size_type p)
+    find_moves([&](size_type p) { return move(p, before); });
+    for_each_index(m_moves.size(), [&](size_type p)
     {
-      if(!m_is_kept[p])
-        make_bounds(p);
+      if(m_moves[p] == 0)
+        return;
+      make_bounds(p);
+      for(size_type i = first_vertex(p); i < first_vertex(p + 1); ++i)
+        increase_bound(m_vertices[i], p);
     });
-    if(!m_is_parametric)
-      measure_vertices([this](size_type v) { return m_is_kept[place(m_nearest[v]).patch]
-                                                      ? m_errors_of_vertices[v] : unknown; });
   }
 
   // returns the largest distance
@@ -112,7 +116,7 @@ public:
     const auto is_smaller = [this](size_type a, size_type b) { return comes_before(b, a); };
     std::make_heap(order.begin(), order.end(), is_smaller);
 
-    Largest_error result = m_largest_of_vertices;
+    Largest_error result;
     while(!order.empty() && m_distances[order.front()] > result.error)
     {
       std::vector<size_type> batch;
@@ -125,7 +129,7 @@ public:
       for_each_index(batch.size(), [&](size_type k) { distance(batch[k]); });
       for(size_type i : batch)
         if(m_distances[i] > result.error)
-          result = Largest_error{m_distances[i], m_points[i]};
+          result = Largest_error{m_distances[i], measured_point(i)};
     }
     return result;
   }
@@ -135,7 +139,7 @@ public:
   std::vector<Patch_split> violations(double tolerance)
   {
     std::vector<size_type> patches;
-    for(const Patch_error& e : errors(tolerance))
+    for(const Patch_error& e : errors(tolerance, tolerance))
       patches.push_back(e.patch);
     return splits(patches);
   }
@@ -147,11 +151,12 @@ public:
     double error;
   };
 
-  // returns the patches with a distance of at least `tolerance`
-  std::vector<Patch_error> errors(double tolerance)
+  // returns the patches with a distance of at least `tolerance`. Larger ones than `enough` are
+  // sought no further.
+  std::vector<Patch_error> errors(double tolerance, double enough = unbounded)
   {
     std::vector<double> largest(m_samples.number_of_patches());
-    for_each_index(largest.size(), [&](size_type p) { largest[p] = error(p, tolerance); });
+    for_each_index(largest.size(), [&](size_type p) { largest[p] = error(p, tolerance, enough); });
     std::vector<Patch_error> result;
     for(size_type p = 0; p < largest.size(); ++p)
       if(largest[p] >= tolerance)
@@ -191,15 +196,8 @@ public:
 private:
   typedef Surface_foot_point<Surface, typename Target::Layout, typename Samples::Place> Foot_point;
 
-  // The square patches of a quad of the layout are halved in the direction in which their errors
-  // vary more, other patches in their longer direction, unless the error varies so much more in the
-  // other one. One direction for a quad, and halving in turns, let the halves of neighbors match:
-  // where directions are mixed, extensions of T-junctions cross, and the surface needs up to a half
-  // more control points.
-  static constexpr double directional_ratio = 5;
-
   static constexpr size_type none = static_cast<size_type>(-1);
-  static constexpr double unknown = -1; // a distance
+  static constexpr double unbounded = (std::numeric_limits<double>::max)(); // a distance
 
   typename Samples::Place place(size_type i) const
   {
@@ -216,14 +214,24 @@ private:
     return m_distances[a] != m_distances[b] ? m_distances[a] > m_distances[b] : a < b;
   }
 
-  // returns the largest distance on a patch, or zero if it is below the tolerance
-  double error(size_type patch, double tolerance)
+  // Returns the largest distance on a patch, or zero if it is below the tolerance. Begins with the
+  // largest bound, so that few others exceed what has been found.
+  double error(size_type patch, double tolerance, double enough)
   {
-    double result = m_is_parametric ? 0 : m_vertex_errors[patch];
-    const size_type end = m_samples.first_error_sample(patch + 1);
-    for(size_type i = m_samples.first_error_sample(patch); i < end; ++i)
-      if(m_distances[i] >= (std::max)(tolerance, result))
+    double result = 0;
+    const auto measure = [&](size_type i)
+    {
+      if(m_distances[i] >= (std::max)(tolerance, result) && result < enough)
         result = (std::max)(result, distance(i));
+    };
+    const size_type first = m_samples.first_error_sample(patch);
+    const size_type end = m_samples.first_error_sample(patch + 1);
+    const auto position = [this](size_type i) { return m_distances.begin() + std::ptrdiff_t(i); };
+    measure(size_type(std::max_element(position(first), position(end)) - m_distances.begin()));
+    for(size_type i = first; i < end; ++i)
+      measure(i);
+    for(size_type i = first_vertex(patch); i < first_vertex(patch + 1); ++i)
+      measure(m_vertices[i]);
     return result < tolerance ? 0 : result;
   }
 
@@ -234,89 +242,35 @@ private:
     for(const Point_3& point : points)
     {
       const Eigen::Vector3d p = to_eigen(point); // kept by the search
-      Foot_point foot(m_surface, m_target.layout(), p, place(index.nearest(p, 1).front()));
+      Foot_point foot(m_patches, m_target.layout(), p, place(index.nearest(p, 1).front()));
       foot();
       result.push_back(foot.place());
     }
     return result;
   }
 
-  // how much the error varies along `u` and `v`: the integrals of its squared derivatives
-  struct Variation
-  {
-    double u = 0, v = 0;
-  };
+  // Samples are followed by the vertices of the mesh.
+  bool is_vertex(size_type i) const { return i >= m_points.size(); }
 
-  bool is_square(size_type patch) const
+  // returns a vertex of the mesh
+  Eigen::Vector3d vertex(size_type i) const
   {
-    const auto origin = m_surface.patch_origin(patch);
-    return origin.u1 - origin.u0 == origin.v1 - origin.v0;
+    return to_eigen(m_target.mesh_vertex(i - m_points.size()));
   }
 
-  // decides in which directions `patches` are split
-  std::vector<Patch_split> splits(const std::vector<size_type>& patches) const
+  Eigen::Vector3d measured_point(size_type i) const
   {
-    std::vector<Variation> variations(m_target.layout().number_of_quads());
-    for(size_type p : patches)
-      if(is_square(p))
-      {
-        const Variation variation = this->variation(p);
-        Variation& sum = variations[m_surface.patch_origin(p).quad];
-        sum.u += variation.u;
-        sum.v += variation.v;
-      }
-    std::vector<Patch_split> result;
-    for(size_type p : patches)
-    {
-      const Variation& of_quad = variations[m_surface.patch_origin(p).quad];
-      const bool is_along_u = is_split_along_u(p, of_quad.u >= of_quad.v);
-      result.push_back(Patch_split{p, is_along_u, !is_along_u});
-    }
-    return result;
+    return is_vertex(i) ? vertex(i) : m_points[i];
   }
 
-  // `is_quad_along_u`: whether the square patches of the quad are split along `u`
-  bool is_split_along_u(size_type patch, bool is_quad_along_u) const
-  {
-    const auto origin = m_surface.patch_origin(patch);
-    const FT width = origin.u1 - origin.u0, height = origin.v1 - origin.v0;
-    const Variation variation = this->variation(patch);
-    const double ratio = directional_ratio * directional_ratio;
-    if(variation.u > ratio * variation.v && FT(2) * width >= height)
-      return true;
-    if(variation.v > ratio * variation.u && FT(2) * height >= width)
-      return false;
-    return width == height ? is_quad_along_u : width > height;
-  }
-
-  Variation variation(size_type patch) const
-  {
-    const auto& grid = m_samples.grid(patch);
-    const size_type row = grid.u + 1;
-    Variation result;
-    for(size_type k = 0; k < grid.number_of_fit_samples(); ++k)
-    {
-      if(k % row != 0)
-        result.u += (difference(patch, k) - difference(patch, k - 1)).squaredNorm()
-                    * double(grid.u) / double(grid.v + 1);
-      if(k >= row)
-        result.v += (difference(patch, k) - difference(patch, k - row)).squaredNorm()
-                    * double(grid.v) / double(grid.u + 1);
-    }
-    return result;
-  }
-
-  Eigen::Vector3d difference(size_type patch, size_type k) const
-  {
-    return m_points[m_samples.error_sample(patch, k)] - m_samples.fit_target(patch, k);
-  }
-
-  // measures the distance at a sample, unless it is known
+  // measures the distance at a sample or a vertex, unless it is known
   double distance(size_type i)
   {
     if(m_is_bound[i])
     {
-      m_distances[i] = (std::max)(distance_to_target(i), distance_to_surface(i));
+      m_distances[i] = is_vertex(i)
+        ? distance_to_surface(vertex(i), m_nearest[i - m_points.size()])
+        : (std::max)(distance_to_target(i), distance_to_surface(target_point(i), i));
       m_is_bound[i] = false;
     }
     return m_distances[i];
@@ -326,9 +280,15 @@ private:
   {
     const typename Samples::Place at = place(i);
     const Point_3 p = to_point(m_points[i]), start = to_point(target_point(i));
+    size_type near_face = m_samples.near_face(i);
     const Point_3 foot
-      = m_target.foot_point(p, at.quad, at.u, at.v, start, m_samples.mesh_face(i));
+      = m_target.foot_point(p, at.quad, at.u, at.v, start, m_samples.mesh_face(i), near_face);
     return (std::min)(m_distances[i], (to_eigen(foot) - m_points[i]).norm());
+  }
+
+  std::vector<Patch_split> splits(const std::vector<size_type>& patches) const
+  {
+    return Split_directions<Surface, Target>(m_surface, m_target, m_samples, m_points)(patches);
   }
 
   static Point_3 to_point(const Eigen::Vector3d& p)
@@ -336,68 +296,70 @@ private:
     return Point_3(FT(p[0]), FT(p[1]), FT(p[2]));
   }
 
-  double distance_to_surface(size_type i) const
-  {
-    return distance_to_surface(target_point(i), i);
-  }
-
   // the search starts at sample `i`
   double distance_to_surface(const Eigen::Vector3d& query, size_type i) const
   {
-    return (Foot_point(m_surface, m_target.layout(), query, place(i))() - query).norm();
+    return (Foot_point(m_patches, m_target.layout(), query, place(i))() - query).norm();
   }
 
   void make_bounds(size_type patch)
   {
     const auto& grid = m_samples.grid(patch);
     const size_type first = m_samples.first_error_sample(patch);
-    std::vector<Point_3> points;
-    m_surface.positions(patch, 2 * grid.u, 2 * grid.v, points);
+    std::vector<Eigen::Vector3d> points;
+    m_patches.update(patch);
+    m_patches.points(patch, 2 * grid.u, 2 * grid.v, points);
     for(size_type i = first; i < m_samples.first_error_sample(patch + 1); ++i)
     {
-      m_points[i] = to_eigen(points[i - first]);
-      m_distances[i] = (m_points[i] - target_point(i)).norm();
+      m_points[i] = points[i - first];
+      const double parametric = (m_points[i] - target_point(i)).norm();
+      increase_bound(i, patch);
+      m_distances[i] = m_is_parametric ? parametric : (std::min)(parametric, m_distances[i]);
       m_is_bound[i] = !m_is_parametric;
     }
   }
 
-  // A patch is kept if its points are where they were, and those of its neighbours, on which
-  // closest points may lie.
-  template <typename IsUnmoved>
-  void find_kept_patches(const IsUnmoved& is_unmoved)
+  // adds what the patch of a sample or a vertex has moved
+  void increase_bound(size_type i, size_type patch)
   {
-    std::vector<bool> is_near_change(m_control_points.size(), false);
-    for(size_type p = 0; p < m_is_kept.size(); ++p)
-      if(!is_unmoved(p))
-        for(size_type i = 0; i < m_samples.number_of_functions(p); ++i)
-          is_near_change[m_samples.function(p, i)] = true;
-    for(size_type p = 0; p < m_is_kept.size(); ++p)
+    m_distances[i] = m_moves[patch] == unbounded ? unbounded : m_distances[i] + m_moves[patch];
+    m_is_bound[i] = true;
+  }
+
+  // Finds how far the points of each patch, and of its neighbours, on which closest points may lie,
+  // have moved at most. `move(p)`: the largest move of a control point that acts on a patch, which
+  // no point of the patch exceeds
+  template <typename Move>
+  void find_moves(const Move& move)
+  {
+    std::vector<double> near(m_control_points.size(), 0);
+    for(size_type p = 0; p < m_moves.size(); ++p)
     {
-      m_is_kept[p] = true;
+      const double largest = move(p);
       for(size_type i = 0; i < m_samples.number_of_functions(p); ++i)
-        if(is_near_change[m_samples.function(p, i)])
-          m_is_kept[p] = false;
+        near[m_samples.function(p, i)] = (std::max)(near[m_samples.function(p, i)], largest);
+    }
+    for(size_type p = 0; p < m_moves.size(); ++p)
+    {
+      m_moves[p] = 0;
+      for(size_type i = 0; i < m_samples.number_of_functions(p); ++i)
+        m_moves[p] = (std::max)(m_moves[p], near[m_samples.function(p, i)]);
     }
   }
 
-  bool has_previous_points(size_type patch, const Interior_error& previous) const
+  // returns the largest move of a control point that acts on a patch
+  double move(size_type patch, const std::vector<Eigen::Vector3d>& before) const
   {
-    return m_samples.has_previous_functions(patch) && has_points(patch, previous.m_control_points);
-  }
-
-  // are the control points that act on a patch those of `points`?
-  bool has_points(size_type patch, const std::vector<Eigen::Vector3d>& points) const
-  {
+    double result = 0;
     for(size_type i = 0; i < m_samples.number_of_functions(patch); ++i)
     {
       const size_type c = m_samples.function(patch, i);
-      if(m_control_points[c] != points[c])
-        return false;
+      result = (std::max)(result, (m_control_points[c] - before[c]).norm());
     }
-    return true;
+    return result;
   }
 
-  // returns the number of a sample of a kept patch among the previous ones
+  // returns the number of a sample of a known patch among the previous ones
   size_type previous_sample(size_type i, const Interior_error& previous) const
   {
     const size_type patch = place(i).patch;
@@ -417,40 +379,49 @@ private:
     }
   }
 
-  // returns the error of a vertex in the previous measurement, or `unknown`
-  double previous_error_of_vertex(size_type v, const Interior_error* previous) const
+  // appends the vertices of the mesh to the samples
+  void add_vertices(const Interior_error* previous)
   {
-    const size_type i = m_nearest[v];
-    const bool is_known = m_is_kept[place(i).patch]
-                          && previous->m_nearest[v] == previous_sample(i, *previous);
-    return is_known ? previous->m_errors_of_vertices[v] : unknown;
+    m_nearest = nearest_samples();
+    const size_type n = m_points.size();
+    m_distances.resize(n + m_nearest.size(), 0);
+    m_is_bound.resize(n + m_nearest.size(), false);
+    m_first_vertices.assign(m_samples.number_of_patches() + 1, 0);
+    for(size_type v = 0; v < m_nearest.size(); ++v)
+      if(is_measured(v))
+        ++m_first_vertices[place(m_nearest[v]).patch + 1];
+    std::partial_sum(m_first_vertices.begin(), m_first_vertices.end(), m_first_vertices.begin());
+    m_vertices.resize(m_first_vertices.back());
+    std::vector<size_type> next = m_first_vertices;
+    for(size_type v = 0; v < m_nearest.size(); ++v)
+      if(is_measured(v))
+      {
+        m_vertices[next[place(m_nearest[v]).patch]++] = n + v;
+        bound_vertex(v, previous);
+      }
   }
 
-  // `known_error(v)` is `unknown` or the error of a vertex that need not be measured
-  template <typename KnownError>
-  void measure_vertices(const KnownError& known_error)
+  bool is_measured(size_type v) const
   {
-    m_largest_of_vertices = Largest_error();
-    m_vertex_errors.assign(m_samples.number_of_patches(), 0);
-    for_each_index(m_nearest.size(), [&](size_type v)
-    {
-      const size_type i = m_nearest[v];
-      if(i == none || m_target.is_boundary_quad(place(i).quad))
-        return;
-      const double known = known_error(v);
-      m_errors_of_vertices[v]
-        = known < 0 ? distance_to_surface(to_eigen(m_target.mesh_vertex(v)), i) : known;
-    });
-    for(size_type v = 0; v < m_nearest.size(); ++v)
-    {
-      if(m_nearest[v] == none)
-        continue;
-      const double error = m_errors_of_vertices[v];
-      double& largest_of_patch = m_vertex_errors[place(m_nearest[v]).patch];
-      largest_of_patch = (std::max)(largest_of_patch, error);
-      if(error > m_largest_of_vertices.error)
-        m_largest_of_vertices = Largest_error{error, to_eigen(m_target.mesh_vertex(v))};
-    }
+    return m_nearest[v] != none && !m_target.is_boundary_quad(place(m_nearest[v]).quad);
+  }
+
+  void bound_vertex(size_type v, const Interior_error* previous)
+  {
+    const size_type i = m_nearest[v], k = m_points.size() + v, p = place(i).patch;
+    m_distances[k] = (vertex(k) - m_points[i]).norm();
+    m_is_bound[k] = true;
+    if(m_moves[p] == unbounded || previous->m_nearest[v] != previous_sample(i, *previous))
+      return;
+    const size_type old = previous->m_points.size() + v;
+    m_distances[k] = (std::min)(m_distances[k], previous->m_distances[old] + m_moves[p]);
+    m_is_bound[k] = m_moves[p] != 0 || previous->m_is_bound[old];
+  }
+
+  // returns the position of the first vertex of a patch in `m_vertices`
+  size_type first_vertex(size_type patch) const
+  {
+    return m_is_parametric ? 0 : m_first_vertices[patch];
   }
 
   // returns, for each vertex of the mesh, the sample nearest to it in the faces around it
@@ -479,15 +450,14 @@ private:
   const Target& m_target;
   const Samples& m_samples;
   bool m_is_parametric;
+  Bezier_patches<Surface> m_patches;
   std::vector<Eigen::Vector3d> m_points; // of the surface
   std::vector<Eigen::Vector3d> m_control_points;
-  std::vector<double> m_distances; // at the samples
+  std::vector<double> m_distances; // at the samples, then of the vertices of the mesh
   std::vector<char> m_is_bound;    // are these upper bounds, or measured?
-  std::vector<char> m_is_kept;     // patches
+  std::vector<double> m_moves;     // the largest ones in the neighbourhood of each patch
   std::vector<size_type> m_nearest; // samples to the vertices of the mesh
-  std::vector<double> m_errors_of_vertices;
-  std::vector<double> m_vertex_errors; // the largest ones of the patches
-  Largest_error m_largest_of_vertices;
+  std::vector<size_type> m_vertices, m_first_vertices; // of the patches
 };
 
 } // namespace internal

@@ -56,18 +56,23 @@ private:
   {
     const auto& grid = m_samples.grid(patch);
     Points original, feet;
+    std::vector<size_type> faces;
     for(size_type k = 0; k < grid.number_of_fit_samples(); ++k)
     {
       const size_type i = m_samples.error_sample(patch, k);
       const typename Samples::Place at = m_samples.error_place(i);
       original.push_back(m_samples.target(i));
+      faces.push_back(m_samples.near_face(patch, k));
       feet.push_back(to_eigen(m_target.foot_point(
         to_point(m_samples.surface_point(patch, k)), at.quad, at.u, at.v,
-        to_point(original.back()), m_samples.mesh_face(i))));
+        to_point(original.back()), m_samples.mesh_face(i), faces.back())));
     }
     unfold(grid.u + 1, grid.v + 1, original, feet);
     for(size_type k = 0; k < grid.number_of_fit_samples(); ++k)
+    {
       m_samples.set_fit_target(patch, k, feet[k]);
+      m_samples.set_near_face(patch, k, faces[k]);
+    }
   }
 
   static Point_3 to_point(const Eigen::Vector3d& p)

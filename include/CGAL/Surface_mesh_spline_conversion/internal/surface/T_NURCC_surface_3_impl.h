@@ -182,13 +182,26 @@ T_NURCC_surface_3<K>::bezier_elements(int levels) const
   std::vector<Bezier_element> result;
   for(size_type i = 0; i < number_of_patches(); ++i)
   {
-    const Patch& patch = m_basis.patch(i);
     if(is_extraordinary_patch(i))
+    {
       add_extraordinary_elements(i, (std::max)(levels, 1), result);
-    else
-      for(size_type e = m_basis.first_element(patch); e < m_basis.last_element(patch); ++e)
-        result.push_back(regular_element(i, m_basis.element(e)));
+      continue;
+    }
+    const std::vector<Bezier_element> elements = patch_elements(i);
+    result.insert(result.end(), elements.begin(), elements.end());
   }
+  return result;
+}
+
+template <typename K>
+std::vector<typename T_NURCC_surface_3<K>::Bezier_element>
+T_NURCC_surface_3<K>::patch_elements(size_type patch) const
+{
+  CGAL_precondition(!is_extraordinary_patch(patch));
+  const Patch& p = m_basis.patch(patch);
+  std::vector<Bezier_element> result;
+  for(size_type e = m_basis.first_element(p); e < m_basis.last_element(p); ++e)
+    result.push_back(regular_element(patch, m_basis.element(e)));
   return result;
 }
 
@@ -215,13 +228,14 @@ void T_NURCC_surface_3<K>::add_functions(const Regular_element& e, const Rectang
 {
   namespace internal = Surface_mesh_spline_conversion::internal;
   const double du = e.u1 - e.u0, dv = e.v1 - e.v0;
+  const bool is_whole = r.u0 == e.u0 && r.u1 == e.u1 && r.v0 == e.v0 && r.v1 == e.v1;
   for(size_type f = e.first; f < e.last; ++f)
   {
     const auto& function = m_basis.function(f);
-    const internal::Row u
-      = internal::restricted(function.u, (r.u0 - e.u0) / du, (r.u1 - e.u0) / du);
-    const internal::Row v
-      = internal::restricted(function.v, (r.v0 - e.v0) / dv, (r.v1 - e.v0) / dv);
+    const internal::Row u = is_whole ? function.u
+      : internal::restricted(function.u, (r.u0 - e.u0) / du, (r.u1 - e.u0) / du);
+    const internal::Row v = is_whole ? function.v
+      : internal::restricted(function.v, (r.v0 - e.v0) / dv, (r.v1 - e.v0) / dv);
     const Vector_3 p = control_point(function.control_point) - ORIGIN;
     for(int j = 0; j < 4; ++j)
       for(int k = 0; k < 4; ++k)
