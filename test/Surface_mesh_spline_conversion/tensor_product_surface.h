@@ -21,6 +21,7 @@ public:
   struct Patch_split { size_type patch; bool u, v; };
   struct Basis_function { size_type control_point; std::array<double, 6> value; };
   struct Patch_origin { size_type quad; double u0, v0, u1, v1; };
+  struct Bezier_element { double u0, v0, u1, v1; std::array<Point, 16> points; };
   struct Boundary_curve
   {
     std::vector<size_type> control_points;
@@ -96,6 +97,10 @@ public:
         out.push_back(position(p, o.u0 + (o.u1 - o.u0) * double(i) / double(nu),
                                o.v0 + (o.v1 - o.v0) * double(j) / double(nv)));
   }
+
+  // no Bezier form: patches are evaluated one point after the other
+  bool is_extraordinary_patch(size_type) const { return true; }
+  std::vector<Bezier_element> patch_elements(size_type) const { return {}; }
 
   Vector derivative(size_type p, double x, double y, int i, int j) const
   {

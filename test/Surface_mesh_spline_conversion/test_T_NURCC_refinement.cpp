@@ -3,6 +3,7 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/fitting/Bezier_patches.h>
 #include <CGAL/T_NURCC_surface_3.h>
 
 #include "T_NURCC_test_layouts.h"
@@ -107,6 +108,32 @@ void check_grids(const Surface<K>& surface)
       const double u = r.u0 + (r.u1 - r.u0) * double(k % (nu + 1)) / double(nu);
       const double v = r.v0 + (r.v1 - r.v0) * double(k / (nu + 1)) / double(nv);
       assert(CGAL::squared_distance(points[k], surface.position(i, u, v)) < 1e-24);
+    }
+  }
+}
+
+// patches in Bezier form have the points and derivatives of the surface
+template <typename K>
+void check_bezier_patches(const Surface<K>& surface)
+{
+  namespace internal = CGAL::Surface_mesh_spline_conversion::internal;
+  internal::Bezier_patches<Surface<K> > patches(surface);
+  for(std::size_t i = 0; i < surface.number_of_patches(); ++i)
+  {
+    patches.update(i);
+    std::vector<Eigen::Vector3d> points;
+    patches.points(i, 4, 2, points);
+    const auto r = surface.patch_origin(i);
+    for(std::size_t k = 0; k < 15; ++k)
+    {
+      const double u = r.u0 + (r.u1 - r.u0) * double(k % 5) / 4;
+      const double v = r.v0 + (r.v1 - r.v0) * double(k / 5) / 2;
+      const Eigen::Vector3d p = internal::to_eigen(surface.position(i, u, v));
+      assert((points[k] - p).norm() < 1e-12 && (patches.point(i, u, v) - p).norm() < 1e-12);
+      const auto q = patches.point_and_tangents(i, u, v);
+      assert((q.point - p).norm() < 1e-12);
+      assert((q.u - internal::to_eigen(surface.derivative(i, u, v, 1, 0))).norm() < 1e-10);
+      assert((q.v - internal::to_eigen(surface.derivative(i, u, v, 0, 1))).norm() < 1e-10);
     }
   }
 }
@@ -303,6 +330,7 @@ void test_boundary_refinement(Layout<K> layout, double share_of_corners, unsigne
   check_local_basis(surface);
   check_bezier_elements(surface);
   check_grids(surface);
+  check_bezier_patches(surface);
   check_boundary(surface, layout);
   check_extraordinary_rings(surface);
   std::cout << layout.number_of_quads() << " quads -> " << surface.number_of_patches()

@@ -83,10 +83,18 @@ public:
   // computes the points of a patch on a uniform grid, see `Surface::positions()`
   void points(size_type patch, size_type nu, size_type nv, std::vector<Eigen::Vector3d>& out) const
   {
+    out.clear();
+    if(m_elements[patch].empty())
+    {
+      std::vector<typename Surface::Point_3> points;
+      m_surface.positions(patch, nu, nv, points);
+      for(const auto& p : points)
+        out.push_back(to_eigen(p));
+      return;
+    }
     const auto o = m_surface.patch_origin(patch);
     const double u0 = CGAL::to_double(o.u0), v0 = CGAL::to_double(o.v0);
     const double du = CGAL::to_double(o.u1) - u0, dv = CGAL::to_double(o.v1) - v0;
-    out.clear();
     for(size_type j = 0; j <= nv; ++j)
     {
       const double v = v0 + dv * double(j) / double(nv);
@@ -95,11 +103,6 @@ public:
       for(size_type i = 0; i <= nu; ++i)
       {
         const double u = u0 + du * double(i) / double(nu);
-        if(m_elements[patch].empty())
-        {
-          out.push_back(to_eigen(m_surface.position(patch, FT(u), FT(v))));
-          continue;
-        }
         const Element& e = element_at(patch, u, v);
         if(&e != last)
           along_u = curve(e, bernstein(e.t(v), 0));
