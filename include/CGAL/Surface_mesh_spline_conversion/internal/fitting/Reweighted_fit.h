@@ -73,11 +73,6 @@ private:
   // Patches whose error exceeds the tolerance by this factor have to be refined anyway.
   static constexpr double largest_excess = 2;
 
-  bool has_to_be_refined(const Patch_error& e) const
-  {
-    return e.error / m_tolerance >= largest_excess;
-  }
-
   std::vector<Point_3> control_points() const
   {
     std::vector<Point_3> result;
@@ -91,7 +86,7 @@ private:
   {
     const std::vector<bool> is_fixed = increase_weights(violations);
     const std::vector<size_type> patches = patches_with_free_points(is_fixed);
-    return !patches.empty() && fit(is_fixed, patches, moved(patches, violations), accuracy);
+    return !patches.empty() && fit(is_fixed, patches, accuracy);
   }
 
   // returns which control points do not move
@@ -101,9 +96,9 @@ private:
     std::vector<bool> result(m_is_fixed.size(), true);
     for(const Patch_error& e : violations)
     {
-      if(has_to_be_refined(e))
-        continue;
       const double excess = e.error / m_tolerance;
+      if(excess >= largest_excess)
+        continue;
       m_samples.increase_weight(e.patch, factor * excess * excess);
       for(size_type i = 0; i < m_samples.number_of_functions(e.patch); ++i)
       {
@@ -128,36 +123,13 @@ private:
     return result;
   }
 
-  // returns those patches that have many functions in common with the ones that get larger weights
-  std::vector<size_type> moved(const std::vector<size_type>& patches,
-                               const std::vector<Patch_error>& violations) const
-  {
-    constexpr size_type number_in_common = 8; // half of the functions of a regular patch
-    std::vector<bool> is_common(m_is_fixed.size(), false);
-    for(const Patch_error& e : violations)
-      for(size_type i = 0; i < m_samples.number_of_functions(e.patch); ++i)
-        if(!has_to_be_refined(e))
-          is_common[m_samples.function(e.patch, i)] = true;
-    std::vector<size_type> result;
-    for(size_type p : patches)
-    {
-      size_type common = 0;
-      for(size_type i = 0; i < m_samples.number_of_functions(p); ++i)
-        common += is_common[m_samples.function(p, i)] ? 1 : 0;
-      if(common >= number_in_common)
-        result.push_back(p);
-    }
-    return result;
-  }
-
-  // `moved`: patches where targets are searched again; the others move little
   bool fit(const std::vector<bool>& is_fixed, const std::vector<size_type>& patches,
-           const std::vector<size_type>& moved, double accuracy)
+           double accuracy)
   {
     const System system(m_samples, is_fixed, patches);
     if(!system.is_valid() || !system.fit(m_surface, accuracy))
       return false;
-    Target_reprojection<Surface, Target>(m_target, m_samples)(moved);
+    Target_reprojection<Surface, Target>(m_target, m_samples)(patches);
     return system.fit(m_surface, accuracy);
   }
 
