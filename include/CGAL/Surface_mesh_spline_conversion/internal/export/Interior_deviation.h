@@ -262,13 +262,16 @@ private:
     }
   }
 
-  // the peaks that come close to the limit, and the largest samples of a few pieces
+  // The samples that come close to the limit, and the largest ones of a few pieces. On a piece that
+  // is known to violate the limit, peaks are enough; elsewhere, a ridge between the samples may rise
+  // beside one that is no peak.
   std::vector<std::size_t> starts_of_climbs() const
   {
     std::vector<std::size_t> largest, result; // the largest of each piece
     for(std::size_t i = 0; i < m_samples.size(); ++i)
     {
-      if(m_is_peak[i] && m_deviations[i] > CLOSE_TO_LIMIT * m_limit)
+      if(m_deviations[i] > CLOSE_TO_LIMIT * m_limit
+         && (m_is_peak[i] || m_violations.count(m_samples[i].piece) == 0))
         result.push_back(i);
       if(i == 0 || m_samples[i].piece != m_samples[i - 1].piece)
         largest.push_back(i);
