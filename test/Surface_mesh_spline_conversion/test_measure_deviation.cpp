@@ -7,6 +7,7 @@
 #include <CGAL/Surface_mesh_spline_conversion/interpolate_boundary_curves.h>
 #include <CGAL/Surface_mesh_spline_conversion/measure_deviation.h>
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <functional>
@@ -133,6 +134,27 @@ struct Measurement
 
 bool is_close(double x, double expected, double error) { return std::abs(x - expected) <= error; }
 
+// Above a valley of the mesh, which is a diagonal of the square, the deviation has a ridge that
+// rises slowly to its top and falls fast to both sides.
+void test_ridge()
+{
+  const double slope = 0.02, height = 0.1, bump = 0.005;
+  Measurement valley;
+  valley.mesh = graph_mesh<Mesh>(SIZE, 2, [slope](double x, double y)
+    { return slope * std::abs(x - y); });
+  const Shell shell = two_faces([=](int i, int j)
+    { return i % 3 != 0 && j % 3 != 0 ? height + bump : height; });
+  double largest = 0;
+  for(int k = 0; k <= 100000; ++k)
+  {
+    const double v = k / 100000., u = v < 0.5 ? 2 * v : 2 * v - 1; // on the diagonal
+    largest = (std::max)(largest, height + bump * 9 * u * (1 - u) * v * (1 - v));
+  }
+  largest /= std::sqrt(1 + 2 * slope * slope); // distance from both planes of the valley
+  const SMSC::Deviation<K> d = valley(shell, 1.001 * largest);
+  assert(d.interior_violations.empty() && is_close(d.interior_maximum, largest, 1e-5 * largest));
+}
+
 int main()
 {
   Measurement measure;
@@ -202,6 +224,7 @@ int main()
   flipped.mesh = mesh;
   d = flipped(two_faces([](int, int) { return 0; }));
   assert(d.faces_against_mesh == 2 && d.interior_maximum < rounding);
+  test_ridge();
   std::cout << "ok" << std::endl;
   return 0;
 }

@@ -287,38 +287,118 @@ private:
     return result;
   }
 
+  // a sample on its way uphill
+  struct Climber
+  {
+    Sample sample;
+    Summit summit;
+  };
+
   // Tries directions all around with smaller and smaller steps. There have to be many: beside a
-  // crease of the mesh the deviation has a ridge, and a step that leaves it goes down.
+  // crease of the mesh the deviation has a ridge, and a step that leaves it goes down. Where that
+  // ends closely below the limit, ridges are followed, too.
   Summit climb_from(std::size_t start) const
   {
-    constexpr double FIRST_STEP = 1. / 16, LAST_STEP = 1e-4; // of the parameters
-    static const std::array<Eigen::Vector2d, NUMBER_OF_DIRECTIONS> directions = compass();
-    Sample sample = m_samples[start];
-    const Bezier_piece& piece = m_pieces[sample.piece];
-    Summit summit{sample.piece, m_deviations[start], m_points[start]};
-    std::size_t hint = sample.triangle;
+    constexpr double FIRST_STEP = 1. / 16, LAST_STEP = 1e-4, LAST_RIDGE_STEP = 1. / 512;
+    Climber climber{m_samples[start],
+                    {m_samples[start].piece, m_deviations[start], m_points[start]}};
     for(double step = FIRST_STEP; step > LAST_STEP; )
-    {
-      bool has_improved = false;
-      for(const Eigen::Vector2d& direction : directions)
-      {
-        const double u = clamped(sample.u + step * direction[0]);
-        const double v = clamped(sample.v + step * direction[1]);
-        const Eigen::Vector3d p = piece.point(u, v);
-        if(m_mesh.distance_to_triangle(p, hint) <= summit.deviation)
-          continue; // a bound of what is sought
-        const double next = excess(p, m_mesh.foot(p, hint).distance);
-        if(!(next > summit.deviation))
-          continue;
-        sample = {sample.piece, u, v, hint};
-        summit.deviation = next;
-        summit.place = p;
-        has_improved = true;
-      }
-      if(!has_improved)
+      if(!step_uphill(step, climber))
         step /= 2;
+    for(double step = FIRST_STEP; step > LAST_RIDGE_STEP && is_just_met(climber.summit); )
+      if(!step_along_ridge(step, climber))
+        step /= 2;
+    return climber.summit;
+  }
+
+  // is the deviation closely below the limit?
+  bool is_just_met(const Summit& summit) const
+  {
+    constexpr double CLOSE = 0.98;
+    return CLOSE * m_limit <= summit.deviation && summit.deviation <= m_limit;
+  }
+
+  // takes steps in directions all around, as far as they lead uphill; returns `false` if none does
+  bool step_uphill(double step, Climber& climber) const
+  {
+    static const std::array<Eigen::Vector2d, NUMBER_OF_DIRECTIONS> directions = compass();
+    bool has_improved = false;
+    for(const Eigen::Vector2d& direction : directions)
+      if(move_uphill(position(climber) + step * direction, climber))
+        has_improved = true;
+    return has_improved;
+  }
+
+  // Takes the first step that leads uphill when it is completed by the best one across it, which
+  // goes back to the ridge. Returns `false` if none does.
+  bool step_along_ridge(double step, Climber& climber) const
+  {
+    static const std::array<Eigen::Vector2d, NUMBER_OF_DIRECTIONS> directions = compass();
+    for(const Eigen::Vector2d& direction : directions)
+    {
+      const Eigen::Vector2d at = position(climber) + step * direction;
+      const Eigen::Vector2d across = step / 4 * Eigen::Vector2d(-direction[1], direction[0]);
+      if(move_uphill(highest_place(climber, at - across, at + across), climber))
+        return true;
     }
-    return summit;
+    return false;
+  }
+
+  // the place between `a` and `b` with the largest deviation, by golden section
+  Eigen::Vector2d highest_place(const Climber& climber, Eigen::Vector2d a, Eigen::Vector2d b) const
+  {
+    constexpr int NUMBER_OF_SECTIONS = 10;
+    constexpr double GOLDEN_SECTION = 0.618033988749895;
+    std::size_t hint = climber.sample.triangle;
+    auto deviation = [&](const Eigen::Vector2d& uv)
+    {
+      const Eigen::Vector3d p
+        = m_pieces[climber.sample.piece].point(clamped(uv[0]), clamped(uv[1]));
+      return excess(p, m_mesh.foot(p, hint).distance);
+    };
+    Eigen::Vector2d low = b + GOLDEN_SECTION * (a - b), high = a + GOLDEN_SECTION * (b - a);
+    double at_low = deviation(low), at_high = deviation(high);
+    for(int i = 0; i < NUMBER_OF_SECTIONS; ++i)
+      if(at_low < at_high)
+      {
+        a = low;
+        low = high;
+        at_low = at_high;
+        high = a + GOLDEN_SECTION * (b - a);
+        at_high = deviation(high);
+      }
+      else
+      {
+        b = high;
+        high = low;
+        at_high = at_low;
+        low = b + GOLDEN_SECTION * (a - b);
+        at_low = deviation(low);
+      }
+    return at_low < at_high ? high : low;
+  }
+
+  static Eigen::Vector2d position(const Climber& climber)
+  {
+    return Eigen::Vector2d(climber.sample.u, climber.sample.v);
+  }
+
+  // moves to the given parameters if the deviation is larger there; returns whether it is
+  bool move_uphill(const Eigen::Vector2d& uv, Climber& climber) const
+  {
+    const double u = clamped(uv[0]), v = clamped(uv[1]);
+    const Eigen::Vector3d p = m_pieces[climber.sample.piece].point(u, v);
+    std::size_t& hint = climber.sample.triangle;
+    if(m_mesh.distance_to_triangle(p, hint) <= climber.summit.deviation)
+      return false; // a bound of what is sought
+    const double deviation = excess(p, m_mesh.foot(p, hint).distance);
+    if(!(deviation > climber.summit.deviation))
+      return false;
+    climber.sample.u = u;
+    climber.sample.v = v;
+    climber.summit.deviation = deviation;
+    climber.summit.place = p;
+    return true;
   }
 
   static std::array<Eigen::Vector2d, NUMBER_OF_DIRECTIONS> compass()
