@@ -102,7 +102,8 @@ struct Bilinear_target
     return point(quad, u, v);
   }
 
-  Point foot_point(const Point&, std::size_t, double, double, const Point& start, std::size_t) const
+  Point foot_point(const Point&, std::size_t, double, double, const Point& start, std::size_t,
+                   std::size_t&) const
   {
     return start;
   }

@@ -57,10 +57,14 @@ public:
       return;
     for(const auto& e : m_surface.patch_elements(patch))
     {
-      elements.push_back(Element{CGAL::to_double(e.u0), CGAL::to_double(e.v0),
-                                 CGAL::to_double(e.u1), CGAL::to_double(e.v1), {}});
+      elements.emplace_back();
+      Element& element = elements.back();
+      element.u0 = CGAL::to_double(e.u0);
+      element.v0 = CGAL::to_double(e.v0);
+      element.u1 = CGAL::to_double(e.u1);
+      element.v1 = CGAL::to_double(e.v1);
       for(size_type k = 0; k < 16; ++k)
-        elements.back().points[k] = to_eigen(e.points[k]);
+        element.points[k] = to_eigen(e.points[k]);
     }
   }
 
@@ -98,8 +102,8 @@ public:
     for(size_type j = 0; j <= nv; ++j)
     {
       const double v = v0 + dv * double(j) / double(nv);
-      const Element* last = nullptr;
-      Curve along_u;
+      const Element* last = &element_at(patch, u0, v);
+      Curve along_u = curve(*last, bernstein(last->t(v), 0));
       for(size_type i = 0; i <= nu; ++i)
       {
         const double u = u0 + du * double(i) / double(nu);
