@@ -1,10 +1,13 @@
 // Concave corners of the boundary between two quads, of which some have an extraordinary point: the
-// surface leaves the corner along the bisector, and is not folded over beside it.
+// surface leaves the corner along the bisector, and is not folded over beside it. Beside the corner
+// the targets of the fit stay those at equal parameters.
 #include "block_layouts.h"
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh_spline_conversion/fit_boundary.h>
 #include <CGAL/Surface_mesh_spline_conversion/fit_interior.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/fitting/Interior_samples.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/fitting/reproject_targets.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/split_corners.h>
 #include <CGAL/T_NURCC_surface_3.h>
 
@@ -13,6 +16,8 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
+#include <vector>
 
 namespace SC = CGAL::Surface_mesh_spline_conversion;
 namespace params = CGAL::parameters;
@@ -31,6 +36,7 @@ struct Bilinear_target
   typedef Quad_layout Layout;
 
   const Layout& quads;
+  Vector slide = Vector(0, 0, 0); // from the point at equal parameters to the foot point
 
   const Layout& layout() const { return quads; }
   double diameter() const { return 2; }
@@ -105,7 +111,7 @@ struct Bilinear_target
   Point foot_point(const Point&, std::size_t, double, double, const Point& start, std::size_t,
                    std::size_t&) const
   {
-    return start;
+    return start + slide;
   }
 
   bool is_boundary_quad(std::size_t) const { return false; }
@@ -181,8 +187,40 @@ void test(const std::array<double, 3>& notch, int n)
   assert(corners == 1);
 }
 
+void test_targets(const std::array<double, 3>& notch, int n)
+{
+  typedef SC::internal::Interior_samples<T_NURCC_surface, Bilinear_target> Samples;
+  const Quad_layout layout = notched_pentagon(notch, n);
+  const Bilinear_target target{layout, Vector(0.3, 0.1, 0)};
+  const T_NURCC_surface surface(layout);
+  Samples samples(surface, target, nullptr);
+  std::vector<std::size_t> patches(samples.number_of_patches());
+  std::iota(patches.begin(), patches.end(), std::size_t(0));
+  SC::internal::Target_reprojection<T_NURCC_surface, Bilinear_target>(target, samples)(patches);
+  std::size_t number_at_corner = 0;
+  for(std::size_t p : patches)
+  {
+    // the notch is the only corner between two quads
+    bool is_at_corner = false;
+    for(std::size_t k = 0; k < samples.grid(p).number_of_fit_samples(); ++k)
+      is_at_corner = is_at_corner
+                     || samples.target(samples.error_sample(p, k))
+                          == Eigen::Vector3d(notch[0], notch[1], notch[2]);
+    number_at_corner += is_at_corner;
+    for(std::size_t k = 0; k < samples.grid(p).number_of_fit_samples(); ++k)
+    {
+      const Eigen::Vector3d move
+        = samples.fit_target(p, k) - samples.target(samples.error_sample(p, k));
+      assert((move - (is_at_corner ? 0 : 1) * Eigen::Vector3d(0.3, 0.1, 0)).norm() < 1e-12);
+    }
+  }
+  assert(number_at_corner == 2);
+}
+
 int main()
 {
+  test_targets({{0.2, 0.3, 0}}, 1);
+  test_targets({{0.2, 0.3, 0}}, 3);
   // the quads at the corner have the extraordinary point, or have not
   for(int n : {1, 3})
     for(double x : {0., 0.1, 0.2})

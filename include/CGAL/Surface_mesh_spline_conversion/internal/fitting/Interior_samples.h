@@ -11,7 +11,9 @@
 
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
+#include <CGAL/Surface_mesh_spline_conversion/internal/fitting/split_corners.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/for_each_index.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/patches/quad_sides.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/to_eigen.h>
 
 #include <CGAL/number_utils.h>
@@ -76,6 +78,7 @@ public:
     for_each_index(m_number_of_patches, [&](size_type p)
       { m_grids[p] = is_known(p) ? previous->grid(m_previous[p]) : choose_grid(p); });
     number_samples();
+    find_split_corners();
     m_factors.assign(m_number_of_patches, 1);
     make_stencils(previous);
     for_each_index(m_number_of_patches, [&](size_type p)
@@ -88,6 +91,9 @@ public:
   }
 
   size_type number_of_patches() const { return m_number_of_patches; }
+
+  // is a patch at a corner of the boundary between two quads?
+  bool is_at_split_corner(size_type patch) const { return m_is_at_split_corner[patch]; }
 
   const Grid& grid(size_type patch) const { return m_grids[patch]; }
 
@@ -264,6 +270,17 @@ private:
       m_previous[p] = previous->find(order, m_origins[p]);
   }
 
+  void find_split_corners()
+  {
+    m_is_at_split_corner.assign(m_number_of_patches, false);
+    for_each_split_corner(m_target.layout(), [this](size_type first, int i, size_type second, int j)
+    {
+      const auto end = from_side<FT>(i, FT(1), FT(0)), begin = from_side<FT>(j, FT(0), FT(0));
+      m_is_at_split_corner[m_surface.patch_at(first, end[0], end[1])] = true;
+      m_is_at_split_corner[m_surface.patch_at(second, begin[0], begin[1])] = true;
+    });
+  }
+
   void number_samples()
   {
     m_first_fit_sample.push_back(0);
@@ -402,6 +419,7 @@ private:
   std::vector<Origin> m_origins;
   std::vector<size_type> m_previous; // patches
   std::vector<char> m_has_previous_functions;
+  std::vector<bool> m_is_at_split_corner; // patches
   std::vector<Grid> m_grids;
   std::vector<double> m_factors; // of the weights of the patches
   std::vector<size_type> m_stamps; // of the functions of the patches

@@ -30,7 +30,9 @@ namespace internal {
 // only its shape.
 //
 // A cell of the sample grid of a patch must not fold: where its orientation differs from that of
-// the target grid, the targets with equal parameters are kept.
+// the target grid, the targets with equal parameters are kept. They also are beside a corner of the
+// boundary between two quads: the line between these shall leave it within the angles of both, and
+// would slide along the surface where the patches beside it are small.
 template <typename Surface, typename Target>
 class Target_reprojection
 {
@@ -54,6 +56,8 @@ public:
 private:
   void reproject(size_type patch)
   {
+    if(m_samples.is_at_split_corner(patch))
+      return;
     const auto& grid = m_samples.grid(patch);
     Points original, feet;
     std::vector<size_type> faces;
