@@ -27,6 +27,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -54,7 +55,7 @@ public:
 
   Corner_normals(const TriangleMesh& tm, const VertexPointMap& vpm)
     : m_tm(tm), m_vpm(vpm),
-      m_normals(get(CGAL::dynamic_halfedge_property_t<Eigen::Vector3d>(), tm)),
+      m_sectors(get(CGAL::dynamic_halfedge_property_t<std::size_t>(), tm)),
       m_is_end(get(CGAL::dynamic_halfedge_property_t<bool>(), tm))
   {
     for(const halfedge_descriptor h : halfedges(tm))
@@ -66,7 +67,10 @@ public:
   }
 
   // returns the unit normal at the target of `h` in the face of `h`
-  Eigen::Vector3d operator()(halfedge_descriptor h) const { return get(m_normals, h); }
+  const Eigen::Vector3d& operator()(halfedge_descriptor h) const
+  {
+    return m_normals[get(m_sectors, h)];
+  }
 
   // does the surface end or have a feature at an edge?
   bool is_end(halfedge_descriptor h) const { return get(m_is_end, h); }
@@ -102,9 +106,9 @@ private:
   // `is_open`: whether the last face of the sector does not adjoin the first one
   void set_normals(const Sector& sector, bool is_open)
   {
-    const Eigen::Vector3d normal = graph_normal(sector, is_open, sum_of_normals(sector));
     for(const halfedge_descriptor h : sector)
-      put(m_normals, h, normal);
+      put(m_sectors, h, m_normals.size());
+    m_normals.push_back(graph_normal(sector, is_open, sum_of_normals(sector)));
   }
 
   Eigen::Vector3d point(typename Graph::vertex_descriptor v) const
@@ -180,9 +184,10 @@ private:
   const TriangleMesh& m_tm;
   const VertexPointMap& m_vpm;
   typename boost::property_map<TriangleMesh,
-    CGAL::dynamic_halfedge_property_t<Eigen::Vector3d> >::const_type m_normals;
+    CGAL::dynamic_halfedge_property_t<std::size_t> >::const_type m_sectors;
   typename boost::property_map<TriangleMesh,
     CGAL::dynamic_halfedge_property_t<bool> >::const_type m_is_end;
+  std::vector<Eigen::Vector3d> m_normals; // of the sectors
 };
 
 } // namespace internal
