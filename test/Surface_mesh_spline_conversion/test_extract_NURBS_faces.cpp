@@ -210,16 +210,14 @@ void test_lines_out_of_the_tangent_plane(int m, double tolerance)
     const auto statistics = SMSC::extract_NURBS_faces(
       surface, shell, CGAL::parameters::interior_tolerance(tolerance));
     const Shell_checks<K> checks(shell);
-    std::cout << "lines with slope " << slope << ", distance " << m << ", tolerance " << tolerance
-              << ": creases deviate "
-              << statistics.crease_deviation << ", gap " << checks.largest_gap << ", angle "
-              << checks.largest_angle << std::endl;
     assert(statistics.number_of_creases == 4);
     assert(checks.largest_gap < 1e-13 * RADIUS);
     assert(checks.largest_angle < 1e-8);
     if(slope == 0)
       deviation_in_plane = statistics.crease_deviation;
     assert(statistics.crease_deviation < 1.1 * (deviation_in_plane + 0.1 * tolerance));
+    if(tolerance == 2 && std::abs(slope) < 0.03) // a tenth is for the faces at creases as a whole
+      assert(statistics.crease_deviation < 0.1 * tolerance);
   }
 }
 

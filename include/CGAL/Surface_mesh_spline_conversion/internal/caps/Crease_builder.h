@@ -37,7 +37,8 @@ struct Crease
   std::vector<std::int64_t> breaks;                      ///< along the line, from 0 on
   std::array<std::int64_t, 2> width;                     ///< of the left and the right face
   std::array<std::vector<Eigen::Vector3d>, 2> points;    ///< Bezier points of the faces, see below
-  Eigen::Vector3d shift = Eigen::Vector3d::Zero();       ///< a third of the change of the derivative along the line at the boundary, times `shift_end`
+  /// a third of the change of the derivative along the line at the boundary, times `shift_end`
+  Eigen::Vector3d shift = Eigen::Vector3d::Zero();
   std::int64_t shift_end = 0;                            ///< y from where on the line is not moved
   double deviation = 0;                                  ///< from the surface, normal to it
   bool ends_at_cap = false;                              ///< of the same width

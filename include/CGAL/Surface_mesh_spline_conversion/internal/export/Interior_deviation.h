@@ -20,6 +20,8 @@
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/number_type_config.h>
 
+#include <boost/math/tools/minima.hpp>
+
 #include <Eigen/Core>
 
 #include <algorithm>
@@ -344,38 +346,20 @@ private:
     return false;
   }
 
-  // the place between `a` and `b` with the largest deviation, by golden section
-  Eigen::Vector2d highest_place(const Climber& climber, Eigen::Vector2d a, Eigen::Vector2d b) const
+  // the place between `a` and `b` with the largest deviation
+  Eigen::Vector2d highest_place(const Climber& climber, const Eigen::Vector2d& a,
+                                const Eigen::Vector2d& b) const
   {
-    constexpr int NUMBER_OF_SECTIONS = 10;
-    constexpr double GOLDEN_SECTION = 0.618033988749895;
+    constexpr int NUMBER_OF_BITS = 10; // of the result
     std::size_t hint = climber.sample.triangle;
-    auto deviation = [&](const Eigen::Vector2d& uv)
+    auto depth = [&](double t)
     {
+      const Eigen::Vector2d uv = a + t * (b - a);
       const Eigen::Vector3d p
         = m_pieces[climber.sample.piece].point(clamped(uv[0]), clamped(uv[1]));
-      return excess(p, m_mesh.foot(p, hint).distance);
+      return -excess(p, m_mesh.foot(p, hint).distance);
     };
-    Eigen::Vector2d low = b + GOLDEN_SECTION * (a - b), high = a + GOLDEN_SECTION * (b - a);
-    double at_low = deviation(low), at_high = deviation(high);
-    for(int i = 0; i < NUMBER_OF_SECTIONS; ++i)
-      if(at_low < at_high)
-      {
-        a = low;
-        low = high;
-        at_low = at_high;
-        high = a + GOLDEN_SECTION * (b - a);
-        at_high = deviation(high);
-      }
-      else
-      {
-        b = high;
-        high = low;
-        at_high = at_low;
-        low = b + GOLDEN_SECTION * (a - b);
-        at_low = deviation(low);
-      }
-    return at_low < at_high ? high : low;
+    return a + boost::math::tools::brent_find_minima(depth, 0., 1., NUMBER_OF_BITS).first * (b - a);
   }
 
   static Eigen::Vector2d position(const Climber& climber)

@@ -32,9 +32,9 @@ namespace internal {
 //
 // The distances across the curve, at the closest points of the curve, are minimized in the
 // least-squares sense by Gauss-Newton steps; the distances along it, to the points at equal
-// parameters, count with a small weight. The order of the error is then higher than four, and a
-// coarse spline may be several times closer to the curve than the fit at equal parameters. The ends
-// of an open spline stay, as do the directions of its end derivatives; their lengths are unknowns.
+// parameters, count with a small weight. A coarse spline may then be about twice as close to the
+// curve as the fit at equal parameters. The ends of an open spline stay, as do the directions of its
+// end derivatives; their lengths are unknowns.
 //
 // The weight is the given one on spans of length 1, and grows with the inverse square of the
 // length. Short spans are there for a jump of the curvature, where sliding along the curve gains
