@@ -1,5 +1,6 @@
-// Closest points of a mesh must not depend on where the search starts: those from any face as hint,
-// also one without area, against the distances to all triangles.
+// Closest points of a mesh from any face as start, also one without area, against the distances to
+// all triangles: those of the search in the whole mesh do not depend on the start; those of the
+// search over neighbors are closest around themselves, and in the whole mesh for a start near by.
 #include <CGAL/Random.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -21,6 +22,7 @@ namespace SMSC = CGAL::Surface_mesh_spline_conversion;
 typedef CGAL::Simple_cartesian<double> K;
 typedef K::Point_3 Point_3;
 typedef CGAL::Surface_mesh<Point_3> Mesh;
+typedef SMSC::internal::Mesh_projection Projection;
 
 // a tetrahedron whose bottom has a vertex in the middle of an edge: its face there has no area
 Mesh tetrahedron_with_flat_face()
@@ -82,10 +84,46 @@ double smallest_distance(const std::vector<K::Triangle_3>& triangles, const Poin
   return result;
 }
 
+double distance(const Point_3& p, const K::Triangle_3& t)
+{
+  return std::sqrt(CGAL::squared_distance(p, t));
+}
+
+void test_near_foot(const std::vector<K::Triangle_3>& triangles, const Projection& projection,
+                    const Point_3& query, std::size_t start)
+{
+  const auto foot = projection.near_foot(query, start);
+  const double reached = std::sqrt(CGAL::squared_distance(query, foot.point));
+  assert(distance(foot.point, triangles[foot.face]) < 1e-13);
+  assert(reached < distance(query, triangles[start]) + 1e-13);
+  assert(!triangles[foot.face].is_degenerate());
+  for(const K::Triangle_3& t : triangles)
+    assert(distance(foot.point, t) > 1e-12 || distance(query, t) > reached - 1e-12);
+}
+
+// queries a little off the mesh, and a start at the face there
+void test_near_start(const std::vector<K::Triangle_3>& triangles, const Projection& projection,
+                     CGAL::Random& random)
+{
+  for(std::size_t face = 0; face < triangles.size(); ++face)
+    for(int i = 0; i < 20; ++i)
+    {
+      const double a = random.get_double(), b = random.get_double() * (1 - a);
+      const K::Triangle_3& t = triangles[face];
+      const Point_3 p = CGAL::barycenter(t[0], a, t[1], b, t[2], 1 - a - b);
+      const Point_3 query = p + 0.02 * K::Vector_3(random.get_double(-1, 1), random.get_double(-1, 1),
+                                                   random.get_double(-1, 1));
+      const auto foot = projection.near_foot(query, face);
+      assert(std::abs(std::sqrt(CGAL::squared_distance(query, foot.point))
+                      - smallest_distance(triangles, query)) < 1e-13);
+    }
+}
+
 void test(const Mesh& mesh, double reach, CGAL::Random& random)
 {
   const std::vector<K::Triangle_3> all = triangles(mesh);
-  const SMSC::internal::Mesh_projection projection(mesh, mesh.points());
+  const Projection projection(mesh, mesh.points());
+  test_near_start(all, projection, random);
   const SMSC::Boundary_curve_network_3<Mesh> network(mesh);
   const SMSC::internal::Mesh_distance distance(mesh, mesh.points(), network);
   for(int i = 0; i < 300; ++i)
@@ -95,9 +133,7 @@ void test(const Mesh& mesh, double reach, CGAL::Random& random)
     const double expected = smallest_distance(all, query);
     for(std::size_t hint = 0; hint < all.size(); ++hint)
     {
-      const auto foot = projection(query, hint);
-      assert(std::abs(std::sqrt(CGAL::squared_distance(query, foot.point)) - expected) < 1e-13);
-      assert(CGAL::squared_distance(foot.point, all[foot.face]) < 1e-26);
+      test_near_foot(all, projection, query, hint);
       std::size_t face = hint;
       const Eigen::Vector3d p(query.x(), query.y(), query.z());
       assert(std::abs(distance.foot(p, face).distance - expected) < 1e-13);

@@ -216,13 +216,14 @@ public:
   }
 
   /*!
-  returns the point of the patches that is closest to `p`, in the neighbourhood of the local
-  coordinates `(u,v)` of `quad`. In a quad with a boundary side, the displacement of the mesh is
-  taken to be that at `(u,v)` in this neighbourhood.
+  returns a point of the patches with no closer one to `p` around it, in the neighbourhood of the
+  local coordinates `(u,v)` of `quad`. The search goes from the face of the mesh there over its
+  neighbors to closer ones. In a quad with a boundary side, the displacement of the mesh is taken to
+  be that at `(u,v)` in this neighbourhood.
 
-  If the closest point of the mesh is further away from the one at `(u,v)` than half the size
-  of the quad or of the mean quad, or lies on a face with opposite orientation, it belongs to
-  another part of the mesh; then `point(quad, u, v)` is returned.
+  If the point found is further away from the one at `(u,v)` than half the size of the quad or of
+  the mean quad, or lies on a face with opposite orientation, it belongs to another part of the
+  mesh; then `point(quad, u, v)` is returned.
   */
   Point_3 foot_point(const Point_3& p, size_type quad, const FT& u, const FT& v) const
   {
@@ -230,9 +231,9 @@ public:
     return foot_point_on_mesh(p, quad, u, v, near_face);
   }
 
-  /// returns the same point; `start` is `point(quad, u, v, face)`, which need not be found again.
-  /// The search is fast if the face of the mesh at the position `near_face` is near the closest
-  /// point; `near_face` becomes the face the point found is made from.
+  /// returns such a point; `start` is `point(quad, u, v, face)`, which need not be found again. The
+  /// search begins at the face of the mesh at the position `near_face`, which becomes the face the
+  /// point found is made from.
   Point_3 foot_point(const Point_3& p, size_type quad, const FT& u, const FT& v,
                      const Point_3& start, size_type face, size_type& near_face) const
   {
@@ -243,7 +244,7 @@ public:
                       Vector_3(FT(0), FT(0), FT(0)), start, near_face);
   }
 
-  /// returns the same point.
+  /// returns such a point; the search begins at `face`.
   Point_3 foot_point(const Point_3& p, size_type quad, const FT& u, const FT& v,
                      const Point_3& start, size_type face) const
   {
@@ -414,11 +415,11 @@ private:
   {
     constexpr int number_of_rounds = 2;
     if(!has_smooth_target())
-      return (*m_mesh)(query, near_face);
+      return m_mesh->near_foot(query, near_face);
     Foot foot = hint;
     for(int round = 0; round < number_of_rounds; ++round)
     {
-      foot = (*m_mesh)(query - curved_displacement(foot), near_face);
+      foot = m_mesh->near_foot(query - curved_displacement(foot), near_face);
       near_face = foot.face;
     }
     return foot;

@@ -28,7 +28,8 @@ namespace internal {
 // little, beside others that are far below it. The weights of these patches are increased with
 // their errors, and the control points that act on them are fitted again: iteratively reweighted
 // least squares, which tend to the fit with the smallest largest distance. What meets the tolerance
-// then need not be refined. The rounds do not always improve the fit, the best one is taken.
+// then need not be refined. The rounds do not always improve the fit, the best one is taken. They
+// do not help where so many patches violate the tolerance that they stand side by side.
 template <typename Surface, typename Target>
 class Reweighted_fit
 {
@@ -51,7 +52,10 @@ public:
   void operator()(std::unique_ptr<Errors>& errors, double accuracy)
   {
     constexpr int number_of_rounds = 4;
+    constexpr double largest_share = 0.4; // of violating patches
     std::vector<Patch_error> violations = errors->errors(m_tolerance, largest_excess * m_tolerance);
+    if(double(violations.size()) > largest_share * double(m_samples.number_of_patches()))
+      return;
     std::vector<Point_3> points = control_points();
     size_type fewest = violations.size();
     std::unique_ptr<Errors> next(new Errors(*errors));

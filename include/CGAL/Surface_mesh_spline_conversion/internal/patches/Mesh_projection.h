@@ -11,18 +11,16 @@
 
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
-#include <CGAL/Surface_mesh_spline_conversion/internal/compatibility.h>
-
-#include <CGAL/AABB_tree.h>
 #include <CGAL/Polygon_mesh_processing/locate.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_utils.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
-#include <utility>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -53,34 +51,56 @@ public:
       put(numbers, v, m_vertices.size());
       m_vertices.push_back(to_double_point(get(vpm, v)));
     }
-    m_triangles.reserve(num_faces(tm));
+    auto positions = get(CGAL::dynamic_face_property_t<std::size_t>(), tm);
+    std::size_t number_of_faces = 0;
+    for(auto f : faces(tm))
+      put(positions, f, number_of_faces++);
+    m_triangles.reserve(number_of_faces);
     for(auto f : faces(tm))
     {
-      std::array<std::size_t, 3> corners;
+      std::array<std::size_t, 3> corners, neighbors;
       std::size_t i = 0;
-      for(auto v : vertices_around_face(halfedge(f, tm), tm))
-        corners[i++] = get(numbers, v);
+      for(auto h : halfedges_around_face(halfedge(f, tm), tm))
+      {
+        corners[i] = get(numbers, target(h, tm));
+        const auto other = face(opposite(h, tm), tm);
+        neighbors[i++] = other == boost::graph_traits<TriangleMesh>::null_face()
+                           ? none : get(positions, other);
+      }
       m_corners.push_back(corners);
+      m_neighbors.push_back(neighbors);
       m_triangles.emplace_back(m_vertices[corners[0]], m_vertices[corners[1]],
                                m_vertices[corners[2]]);
     }
-    // a triangle without area has no plane to project to; its neighbours cover it
-    for(std::size_t f = 0; f < m_triangles.size(); ++f)
-      if(normal(f) != NULL_VECTOR)
-        m_tree.insert(Primitive(&m_triangles[f]));
-    m_tree.build();
   }
 
-  Mesh_projection(const Mesh_projection&) = delete;
-  Mesh_projection& operator=(const Mesh_projection&) = delete;
-
-  // returns the point of the mesh closest to `query`; the closer the face `hint` is, the faster.
-  // Only what is closer than the point of this face need be searched.
-  Foot operator()(const Point_3& query, std::size_t hint) const
+  // Returns a point of the mesh with no closer one to `query` around it: that at the end of a way
+  // from the face `start` over neighbors that are not farther. This takes constant time if `start`
+  // is near the point. Faces without area, which have no normal, are only crossed.
+  Foot near_foot(const Point_3& query, std::size_t start) const
   {
-    const auto result = m_tree.closest_point_and_primitive(
-      query, std::make_pair(closest_point(hint, query), &m_triangles[hint]));
-    return Foot{result.first, static_cast<std::size_t>(result.second - m_triangles.data())};
+    constexpr double rounding = 1 + 1e-12; // faces that meet at the point are at the same distance
+    Foot result{closest_point(start, query), start};
+    double smallest = (std::numeric_limits<double>::infinity)();
+    std::vector<std::size_t> way;
+    const auto visit = [&](std::size_t face)
+    {
+      const Point_3 p = closest_point(face, query);
+      const double distance = CGAL::squared_distance(query, p);
+      if(distance > rounding * smallest)
+        return;
+      way.push_back(face);
+      if(distance >= smallest || normal(face) == NULL_VECTOR)
+        return;
+      smallest = distance;
+      result = Foot{p, face};
+    };
+    visit(start);
+    for(std::size_t k = 0; k < way.size(); ++k)
+      for(std::size_t f : m_neighbors[way[k]])
+        if(f != none && std::find(way.begin(), way.end(), f) == way.end())
+          visit(f);
+    return result;
   }
 
   // returns the normal of a face, of the length of twice its area
@@ -117,30 +137,12 @@ public:
   }
 
 private:
-  // a model of AABBPrimitive that names a triangle by its address
-  struct Primitive
-  {
-    typedef const Kernel::Triangle_3* Id;
-    typedef Kernel::Point_3 Point;
-    typedef Kernel::Triangle_3 Datum;
-
-    Primitive() : m_id(nullptr) {}
-    explicit Primitive(Id id) : m_id(id) {}
-    const Datum& datum() const { return *m_id; }
-    const Id& id() const { return m_id; }
-    const Point& reference_point() const { return m_id->vertex(0); }
-
-    typedef const Datum& Datum_reference;
-    typedef const Point& Point_reference;
-
-  private:
-    Id m_id;
-  };
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
   std::vector<Point_3> m_vertices;
   std::vector<std::array<std::size_t, 3> > m_corners; // of the faces
+  std::vector<std::array<std::size_t, 3> > m_neighbors; // across the edges of the faces
   std::vector<Kernel::Triangle_3> m_triangles;
-  AABB_tree<AABB_traits_3<Kernel, Primitive> > m_tree;
 };
 
 } // namespace internal
