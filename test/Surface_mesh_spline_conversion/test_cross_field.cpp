@@ -16,8 +16,13 @@
 #include <boost/unordered_map.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cassert>
+#include <cmath>
+#include <cstddef>
 #include <iostream>
+#include <limits>
+#include <vector>
 
 namespace SC = CGAL::Surface_mesh_spline_conversion;
 using SC::Cross_field;
@@ -292,6 +297,34 @@ void test_wanted_directions()
   assert(compute(false, free) == Error_code::INVALID_PARAMETER);
 }
 
+// Half of the size near one point of a plane; from there on the size grows by half of the distance,
+// along edges.
+void test_reduced_sizes()
+{
+  Cross_field field;
+  field.mesh = Test::make_grid(24, 24, false, false, Test::in_plane, Test::no_hole);
+  const int middle = 24 * 24;
+  field.size.assign(field.mesh.number_of_vertices(), 4);
+  std::vector<double> shares(field.mesh.number_of_faces(), 1);
+  shares[middle] = 0.5;
+  for(std::size_t f = 0; f < shares.size(); ++f)
+    field.mesh.parent[f] = shares.size() - 1 - f;
+  SC::internal::reduce_sizes(shares, field);
+  const std::array<int, 3>& t = field.mesh.triangles[shares.size() - 1 - middle];
+  int reduced = 0;
+  for(int v = 0; v < field.mesh.number_of_vertices(); ++v)
+  {
+    double distance = std::numeric_limits<double>::infinity();
+    for(const int w : t)
+      distance = (std::min)(distance, (field.mesh.points[v] - field.mesh.points[w]).norm());
+    const double along_edges = std::sqrt(2.) * distance;
+    assert(field.size[v] >= (std::min)(4., 2 + 0.5 * distance) - 1e-12);
+    assert(field.size[v] <= (std::min)(4., 2 + 0.5 * along_edges) + 1e-12);
+    reduced += field.size[v] == 2;
+  }
+  assert(reduced == 3);
+}
+
 void test_sizes_and_errors()
 {
   Mesh tm = make_mesh(Test::make_sphere(3));
@@ -324,6 +357,7 @@ int main()
   test_case<CGAL::Simple_cartesian<double> >();
   test_case<CGAL::Exact_predicates_inexact_constructions_kernel>();
   test_wanted_directions();
+  test_reduced_sizes();
   test_sizes_and_errors();
   return 0;
 }

@@ -1,10 +1,13 @@
 // The figures of the quality of a layout agree with those calculated by hand: of two sheared
 // squares, whose lines turn at the common side, and of three rhombi about an extraordinary point.
+// Quads are known to be inverted that turn right at a corner or not at all, or wind backwards.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <CGAL/Surface_mesh_spline_conversion/extract_quad_layout.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/layout/inverted_quads.h>
 #include <CGAL/Surface_mesh_spline_conversion/measure_layout_quality.h>
 
 #include <array>
@@ -151,6 +154,32 @@ void test_rhombi()
 }
 
 template <typename K>
+void test_inverted_quads()
+{
+  typedef typename K::Point_3 P;
+  typedef std::vector<std::size_t> Quads;
+  const auto mesh = make_square<K>();
+  const auto inverted = [&](const std::vector<P>& points,
+                            const std::vector<std::array<std::size_t, 4> >& quads)
+  {
+    return SC::internal::inverted_quads(
+      make_layout<K>(points, quads),
+      SC::internal::face_corners(mesh, get(CGAL::vertex_point, mesh)));
+  };
+  const auto with_last_corner = [&](double x, double y)
+  { return inverted({P(0, 0, 0), P(2, 0, 0), P(x, y, 0), P(0, 2, 0)}, {{{0, 1, 2, 3}}}); };
+  assert(with_last_corner(2, 2) == Quads());
+  assert(with_last_corner(1.01, 1.01) == Quads());
+  assert(with_last_corner(1, 1) == Quads{0});     // three corners on a line
+  assert(with_last_corner(0.5, 0.5) == Quads{0}); // turns right
+  assert(with_last_corner(2, 0) == Quads{0});     // a side without length
+  // the second one winds backwards, the third one crosses itself
+  assert((inverted({P(0, 0, 0), P(1, 0, 0), P(1, 1, 0), P(0, 1, 0), P(3, 0, 0), P(3, 1, 0),
+                    P(4, 1, 0), P(4, 0, 0), P(6, 0, 0), P(7, 0, 0), P(6, 1, 0), P(7, 1, 0)},
+                   {{{0, 1, 2, 3}}, {{4, 5, 6, 7}}, {{8, 9, 10, 11}}}) == Quads{1, 2}));
+}
+
+template <typename K>
 void test()
 {
   for(const double shear : {0., 0.2, 1.})
@@ -158,6 +187,7 @@ void test()
       test_sheared_squares<K>(shear, size);
   test_size_field<K>();
   test_rhombi<K>();
+  test_inverted_quads<K>();
 }
 
 } // namespace

@@ -91,6 +91,8 @@ struct Field_attempt
   double spacing = 1;                // see `Cross_field`
   double proxy_refinement = 1;       // by how much the edges of the proxy are shorter than usual
   Mesh mesh = Mesh::CHOSEN;
+  // per face of the input: the size of the quads there, as a share of the wanted one; may be empty
+  std::vector<double> size_shares = {};
   // the proxy, or null if the mesh itself is used: for attempts that differ only in the spacing
   std::shared_ptr<std::optional<std::shared_ptr<const Proxy_mesh> > > known_proxy = nullptr;
 };
@@ -137,10 +139,39 @@ std::shared_ptr<const Proxy_mesh> find_proxy(const Cross_field& field,
   return proxy;
 }
 
+// growth of the size of the quads per unit length, at most
+constexpr double size_gradation = 0.5;
+
+// Makes the sizes of the quads smaller. `shares`: see `Field_attempt`; not empty
+inline void reduce_sizes(const std::vector<double>& shares, Cross_field& field)
+{
+  const std::vector<double> size = field.size;
+  for(int f = 0; f < field.mesh.number_of_faces(); ++f)
+    for(const int v : field.mesh.triangles[f])
+      field.size[v] = (std::min)(field.size[v], shares[field.mesh.parent[f]] * size[v]);
+  limit_gradation(field.mesh, size_gradation, field.size);
+}
+
+// the sizes of `field` at the vertices of a proxy of its mesh, where they are below the wanted ones
+inline std::vector<double> reduced_sizes(const Cross_field& field, const Proxy_mesh& proxy)
+{
+  std::vector<double> result;
+  for(std::size_t v = 0; v < proxy.size.size(); ++v)
+  {
+    const Working_location& at = proxy.place[v];
+    double size = 0;
+    for(int i = 0; i < 3; ++i)
+      size += at.barycentric[i] * field.size[field.mesh.triangles[at.face][i]];
+    result.push_back((std::min)(proxy.size[v], size));
+  }
+  return result;
+}
+
 // Replaces the mesh of `field` by a proxy and computes the field there. Returns `false`, with
 // `field` as before, if there is no proxy.
 inline bool build_cross_field_on_proxy(Cross_field& field,
-                                       std::shared_ptr<const Proxy_mesh> proxy)
+                                       std::shared_ptr<const Proxy_mesh> proxy,
+                                       bool has_reduced_sizes)
 {
   if(!proxy)
     return false;
@@ -148,7 +179,7 @@ inline bool build_cross_field_on_proxy(Cross_field& field,
   on_proxy.spacing = field.spacing;
   on_proxy.keeps_large_corners = field.keeps_large_corners;
   on_proxy.mesh = proxy->mesh;
-  on_proxy.size = proxy->size;
+  on_proxy.size = has_reduced_sizes ? reduced_sizes(field, *proxy) : proxy->size;
   on_proxy.wanted_direction = directions_on_proxy(field, *proxy);
   on_proxy.proxy = proxy;
   if(build_cross_field(on_proxy) != Error_code::OK)
@@ -163,7 +194,7 @@ template <typename Size, typename VertexDescriptor>
 bool compute_quad_sizes(const Working_mesh& mesh, const std::vector<VertexDescriptor>& vertex,
                         const Size& size_map, double diameter, std::vector<double>& size)
 {
-  const double quads_per_diameter = 40, edges_per_quad = 2, gradation = 0.5;
+  const double quads_per_diameter = 40, edges_per_quad = 2;
   const double default_size = (std::max)(diameter / quads_per_diameter,
                                          edges_per_quad * mean_edge_length(mesh));
   size.clear();
@@ -176,7 +207,7 @@ bool compute_quad_sizes(const Working_mesh& mesh, const std::vector<VertexDescri
   // vertices that split ears: the gradation gives them the size of their neighbours
   const double largest = *std::max_element(size.begin(), size.end());
   size.resize(mesh.number_of_vertices(), largest);
-  limit_gradation(mesh, gradation, size);
+  limit_gradation(mesh, size_gradation, size);
   return true;
 }
 
@@ -236,7 +267,10 @@ Error_code compute_cross_field(const TriangleMesh& tm, const BoundaryCurveNetwor
     return Error_code::INVALID_PARAMETER;
   const auto proxy = find_proxy(field, find_curve_joints(field.mesh, network), attempt,
                                 get_parameter(np, internal_np::use_proxy_mesh));
-  if(build_cross_field_on_proxy(field, proxy))
+  const bool has_reduced_sizes = !attempt.size_shares.empty();
+  if(has_reduced_sizes)
+    reduce_sizes(attempt.size_shares, field);
+  if(build_cross_field_on_proxy(field, proxy, has_reduced_sizes))
     return Error_code::OK;
   return build_cross_field(field);
 }

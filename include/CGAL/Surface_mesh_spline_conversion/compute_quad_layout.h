@@ -19,6 +19,7 @@
 #include <CGAL/Surface_mesh_spline_conversion/compute_integer_grid_map.h>
 #include <CGAL/Surface_mesh_spline_conversion/extract_quad_layout.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/layout/Padded_triangulation.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/layout/inverted_quads.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/map/make_working_mesh.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/named_parameters.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/run_stage.h>
@@ -32,6 +33,7 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -111,13 +113,17 @@ inline std::string describe(const Field_attempt& attempt, const Integer_grid_map
     add("spacing of singularities divided by " + std::to_string(std::lround(1 / attempt.spacing)));
   if(map.map.repairs > 0)
     add("repairs: " + std::to_string(map.map.repairs));
+  if(!attempt.size_shares.empty())
+    add("size of the quads around inverted ones divided by "
+        + std::to_string(std::lround(1 / *std::min_element(attempt.size_shares.begin(),
+                                                           attempt.size_shares.end()))));
   if(!map.is_resolved)
     add("rectangle composition: " + map.message);
   return text.empty() ? "none" : text;
 }
 
 // Field, map and quads, by the first attempt that succeeds. Where the projection from a proxy has
-// folds, so would the inverse map: finer proxies are tried.
+// folds, so would the inverse map: finer proxies are tried. Inverted quads get smaller ones.
 template <typename TriangleMesh, typename BoundaryCurveNetwork, typename GeomTraits,
           typename Visitor, typename NamedParameters>
 class Layout_ladder
@@ -132,6 +138,13 @@ public:
 
   Error_code run()
   {
+    const Error_code code = find_layout();
+    return code == Error_code::OK ? replace_inverted_quads() : code;
+  }
+
+private:
+  Error_code find_layout()
+  {
     Error_code code = try_mesh(Field_attempt());
     const bool has_proxy = m_field.proxy != nullptr;
     const std::vector<Field_attempt> attempts = further_attempts();
@@ -145,7 +158,6 @@ public:
     return code;
   }
 
-private:
   // After a first attempt: finer proxies in place of a folded one, and the other mesh. The mesh
   // itself comes first where it has fewer faces than its proxy: finer ones cost more.
   std::vector<Field_attempt> further_attempts() const
@@ -170,20 +182,76 @@ private:
     on_mesh.known_proxy = std::make_shared<std::optional<std::shared_ptr<const Proxy_mesh> > >();
     for(std::size_t i = 0; i < attempts.size() && has_no_map(code) && !m_is_folded; ++i)
     {
-      m_report.message = m_message;
       on_mesh.spacing = attempts[i].spacing;
-      code = try_to_map(on_mesh, attempts[i].most_repairs);
+      code = try_once(on_mesh, attempts[i].most_repairs);
       if(i == 0)
         append_attempts(m_field, attempts);
-      if(code == Error_code::OK)
-        code = run_stage("quad_layout", m_visitor, m_report, [&]()
-          { return extract_quad_layout(m_map, m_tm, m_network, m_layout, m_np); });
-      if(code == Error_code::OK)
-        m_report.map.fallback = describe(on_mesh, m_map);
-      else if(has_no_map(code) && !m_map.message.empty())
-        m_report.message = m_map.message;
     }
     return code;
+  }
+
+  Error_code try_once(const Field_attempt& attempt, int most_repairs)
+  {
+    m_report.message = m_message;
+    Error_code code = try_to_map(attempt, most_repairs);
+    if(code == Error_code::OK)
+      code = run_stage("quad_layout", m_visitor, m_report, [&]()
+        { return extract_quad_layout(m_map, m_tm, m_network, m_layout, m_np); });
+    if(code == Error_code::OK)
+    {
+      m_report.map.fallback = describe(attempt, m_map);
+      m_attempt = attempt;
+      m_most_repairs = most_repairs;
+    }
+    else if(has_no_map(code) && !m_map.message.empty())
+      m_report.message = m_map.message;
+    return code;
+  }
+
+  // The surface may turn so much within a quad that the flat one is inverted. Quads are made
+  // smaller there, on the same mesh, as long as this leaves fewer that are inverted.
+  Error_code replace_inverted_quads()
+  {
+    const int most_attempts = 3;
+    const auto faces = face_corners(m_tm, parameters::choose_parameter(
+      parameters::get_parameter(m_np, internal_np::vertex_point),
+      get_const_property_map(vertex_point, m_tm)));
+    Field_attempt attempt = m_attempt;
+    attempt.size_shares.assign(faces.size(), 1);
+    std::vector<std::size_t> inverted = inverted_quads(m_layout, faces);
+    for(int i = 0; i < most_attempts && !inverted.empty(); ++i)
+    {
+      const Quad_layout<GeomTraits> best = m_layout;
+      const std::string fallback = m_report.map.fallback;
+      halve_shares(inverted, attempt.size_shares);
+      const Error_code code = try_once(attempt, m_most_repairs);
+      if(code != Error_code::OK && !has_no_map(code))
+        return code;
+      const std::vector<std::size_t> remaining
+        = code == Error_code::OK ? inverted_quads(m_layout, faces) : inverted;
+      if(remaining.size() >= inverted.size())
+      {
+        m_layout = best;
+        m_report.map.fallback = fallback;
+        m_report.message = m_message;
+        break;
+      }
+      inverted = remaining;
+    }
+    return Error_code::OK;
+  }
+
+  // Halves the shares of the faces where some quads have samples.
+  void halve_shares(const std::vector<std::size_t>& quads, std::vector<double>& shares) const
+  {
+    const int n = 4;
+    std::set<std::size_t> faces;
+    for(const std::size_t q : quads)
+      for(int i = 0; i <= n; ++i)
+        for(int j = 0; j <= n; ++j)
+          faces.insert(m_layout.inverse_map()(q, i / double(n), j / double(n)).face);
+    for(const std::size_t f : faces)
+      shares[f] /= 2;
   }
 
   Error_code try_to_map(const Field_attempt& attempt, int most_repairs)
@@ -213,6 +281,8 @@ private:
   Cross_field m_field;
   Integer_grid_map m_map;
   bool m_is_folded = false;    // the last proxy
+  Field_attempt m_attempt;     // the last one that succeeded, and its repairs
+  int m_most_repairs = 0;
 };
 
 // the quads of an integer grid map
@@ -237,8 +307,9 @@ the quads of this map.
 Where the map fails, singularities are moved, and quads that are larger than the features of the
 shape are given singularities at smaller distances. Where the projection from a proxy turns out to
 have folds, finer proxies are tried; then the mesh itself in place of a proxy, or the other way
-round. The mesh itself comes before finer proxies if it has fewer faces than its proxy. What cannot
-fail comes last: the mesh is coarsened, a ring of quads is laid along each boundary loop, and each
+round. The mesh itself comes before finer proxies if it has fewer faces than its proxy. Where quads of
+the layout are inverted when they are drawn flat, smaller ones are tried around them; the result is
+kept if fewer are inverted. What cannot fail comes last, if there is no map: the mesh is coarsened, a ring of quads is laid along each boundary loop, and each
 triangle in between is divided into three quads. Such a layout is valid, but has many extraordinary
 points; its corners are regular vertices even where the boundary is convex.
 `Conversion_report::Map::fallback` says which of these was needed.

@@ -132,10 +132,10 @@ private:
   {
     const std::size_t most_replaced = 12;
     change.disk.centers = centers_at(quad);
+    Map_neighborhood neighborhood(*m_map, change.disk.centers, radius);
     while(change.replaced.size() <= most_replaced)
     {
-      const auto disk = std::make_shared<Harmonic_disk>(
-        Map_neighborhood(*m_map, change.disk.centers, radius), radius);
+      const auto disk = std::make_shared<Harmonic_disk>(neighborhood, radius);
       if(!disk->is_valid() || !disk->follow_map())
         return false;
       change.disk.motion = disk;
@@ -146,8 +146,11 @@ private:
       if(met.empty())
         return true;
       for(const int other : met)
-        change.disk.centers.insert(change.disk.centers.end(), m_disks[other].centers.begin(),
-                                   m_disks[other].centers.end());
+        for(const Working_location& center : m_disks[other].centers)
+        {
+          change.disk.centers.push_back(center);
+          neighborhood.add_place(center);
+        }
       change.replaced.insert(change.replaced.end(), met.begin(), met.end());
       std::sort(change.replaced.begin(), change.replaced.end());
     }

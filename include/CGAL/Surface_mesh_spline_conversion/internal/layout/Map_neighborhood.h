@@ -45,10 +45,32 @@ public:
   // `radius`: how far away a face may be, in quads
   Map_neighborhood(const Seamless_map& map, const std::vector<Working_location>& places,
                    double radius)
-    : m_map(map)
+    : m_map(map), m_radius(radius)
   {
     for(const Working_location& place : places)
-      collect(place, radius);
+      add_place(place);
+  }
+
+  // Adds the faces near a place, by way of their neighbours, in a chart with the place as origin.
+  void add_place(const Working_location& place)
+  {
+    std::unordered_set<int> is_known;
+    std::vector<Placed_face> queue;
+    is_known.insert(place.face);
+    queue.push_back(Placed_face{place.face, 0, origin_at(place)});
+    for(std::size_t i = 0; i < queue.size(); ++i)
+    {
+      const Positions p = positions(queue[i]);
+      add(Face{queue[i].face, p});
+      for(int h = 3 * queue[i].face; h < 3 * queue[i].face + 3; ++h)
+      {
+        const int o = m_map.mesh.opposite[h];
+        if(o < 0 || distance_to_segment(p[h % 3], p[(h + 1) % 3]) > m_radius
+           || !is_known.insert(o / 3).second)
+          continue;
+        queue.push_back(queue[i].across(m_map, h));
+      }
+    }
   }
 
   const Seamless_map& map() const { return m_map; }
@@ -63,28 +85,6 @@ public:
   }
 
 private:
-  // Visits the faces by way of their neighbours, in a chart with the place as origin.
-  void collect(const Working_location& place, double radius)
-  {
-    std::unordered_set<int> is_known;
-    std::vector<Placed_face> queue;
-    is_known.insert(place.face);
-    queue.push_back(Placed_face{place.face, 0, origin_at(place)});
-    for(std::size_t i = 0; i < queue.size(); ++i)
-    {
-      const Positions p = positions(queue[i]);
-      add(Face{queue[i].face, p});
-      for(int h = 3 * queue[i].face; h < 3 * queue[i].face + 3; ++h)
-      {
-        const int o = m_map.mesh.opposite[h];
-        if(o < 0 || distance_to_segment(p[h % 3], p[(h + 1) % 3]) > radius
-           || !is_known.insert(o / 3).second)
-          continue;
-        queue.push_back(queue[i].across(m_map, h));
-      }
-    }
-  }
-
   // the translation that moves the place to the origin
   Fixed_point_2 origin_at(const Working_location& place) const
   {
@@ -121,6 +121,7 @@ private:
   static Eigen::Vector2d middle(const Positions& p) { return (p[0] + p[1] + p[2]) / 3; }
 
   const Seamless_map& m_map;
+  const double m_radius;
   std::vector<Face> m_faces;
   std::unordered_map<int, std::size_t> m_position; // by face: in `m_faces`
 };

@@ -22,6 +22,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -86,6 +87,7 @@ public:
 private:
   // of a quad: see `oriented_scaled_jacobian()`
   static constexpr double tolerable_shape = 0.15;
+  static constexpr std::size_t never = (std::numeric_limits<std::size_t>::max)();
 
   template <typename Locate>
   void locate_vertices(const Locate& locate)
@@ -95,6 +97,7 @@ private:
     m_middles.resize(m_grid->number_of_quads());
     m_normals.resize(m_middles.size());
     m_quads_at.resize(m_grid->number_of_vertices());
+    m_motions_at_failure.assign(m_vertices.size(), never);
     for(int q = 0; q < m_grid->number_of_quads(); ++q)
     {
       for(int i = 0; i < 4; ++i)
@@ -130,6 +133,7 @@ private:
     m_middles.clear();
     m_normals.clear();
     m_quads_at.clear();
+    m_motions_at_failure.clear();
   }
 
   // the first of the motions from number `i` on with parts of a face, or -1
@@ -152,6 +156,9 @@ private:
 
   bool improve_vertex(int v)
   {
+    // nothing has changed since the last attempt
+    if(m_motions_at_failure[v] == m_motions.size())
+      return false;
     for(const double radius : {0.8, 0.4, 0.2}) // in quads
     {
       const auto disk = std::make_shared<Harmonic_disk>(
@@ -159,6 +166,7 @@ private:
       if(disk->is_valid() && improve_vertex(v, disk))
         return true;
     }
+    m_motions_at_failure[v] = m_motions.size();
     return false;
   }
 
@@ -278,6 +286,8 @@ private:
   std::vector<Working_location> m_middles;      // per quad
   std::vector<Eigen::Vector3d> m_normals;       // per quad, at its middle
   std::vector<std::vector<int> > m_quads_at;    // per vertex of the grid
+  std::vector<std::size_t> m_motions_at_failure; // per vertex of the grid: how many motions there
+                                                 // were when it could not be moved, or `never`
 };
 
 } // namespace internal
