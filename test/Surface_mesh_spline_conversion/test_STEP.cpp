@@ -170,7 +170,7 @@ void test_round_trip(const Shell& shell)
   }
 }
 
-// vertices lend their points to edges, and edges between sectors of a cap theirs to the sectors
+// vertices lend their points to edges, and edges theirs to the sectors of caps: all but the 16 inside
 void test_number_of_points(const Shell& shell)
 {
   std::ostringstream os;
@@ -185,9 +185,9 @@ void test_number_of_points(const Shell& shell)
     sectors += shell.face(f).is_extraordinary;
   }
   assert(sectors == 24);
-  const std::size_t points_of_two_rows = 11;
+  const std::size_t points_on_sides = 20;
   assert(STEP_file(os.str()).of_type("CARTESIAN_POINT").size()
-         == expected - points_of_two_rows * sectors);
+         == expected - points_on_sides * sectors);
 }
 
 // one bilinear face, as a shell of its own

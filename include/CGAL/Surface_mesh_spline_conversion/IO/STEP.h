@@ -251,15 +251,12 @@ private:
     m_out << ')';
   }
 
-  // The points of a face. Two sectors of a cap and the edge between them have one row in common.
+  // The points of a face. A sector of a cap and the edges on its sides have one row in common.
   std::vector<Id> write_control_points(const typename Shell::Face& face)
   {
     std::vector<Id> ids(face.surface.control_points.size(), 0);
-    if(face.is_extraordinary)
-    {
-      share_points(face.surface, 0, face.loop.front(), ids);
-      share_points(face.surface, 3, face.loop.back(), ids);
-    }
+    for(int side = 0; side < 4 && face.is_extraordinary; ++side)
+      share_points(face.surface, side, (side == 3) ? face.loop.back() : face.loop[side], ids);
     for(std::size_t i = 0; i < ids.size(); ++i)
       if(ids[i] == 0)
         ids[i] = write_point(face.surface.control_points[i]);
@@ -448,7 +445,7 @@ writes a shell to a stream in the STEP format (ISO 10303-21, application protoco
 
 Each connected component becomes one shell; a closed one with faces looking outwards becomes a
 solid. Vertices and edges are shared, so that a reader needs no sewing; the sectors of a cap share
-the control points of the edges between them. Coordinates are written with as many digits as are
+the control points of their edges. Coordinates are written with as many digits as are
 needed to read back the same numbers.
 
 \tparam K a model of `Kernel`

@@ -128,7 +128,7 @@ private:
 
   Tick_rectangle image(const Placed_cell& placed) const
   {
-    return Cell_merger::image(m_complex, placed);
+    return placed_rectangle(m_complex, placed);
   }
 
   // the width that all cells of a side have; half of it where two creases share a cell

@@ -12,7 +12,7 @@
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/Cell_complex.h>
-#include <CGAL/Surface_mesh_spline_conversion/internal/export/Cell_merger.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/export/Cell_rectangle.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/blossoms.h>
 
 #include <Eigen/Core>
@@ -154,7 +154,7 @@ private:
     if(line.breaks.size() < 2 || line.breaks.back() != end)
       return false;
     for(auto& cells : line.cells)
-      while(Cell_merger::image(m_complex, cells.back()).low[1] >= end)
+      while(placed_rectangle(m_complex, cells.back()).low[1] >= end)
         cells.pop_back();
     line.ends_at_cap = true;
     return true;
@@ -192,7 +192,7 @@ private:
   {
     if(placed.cell == last.cell)
       return placed.frame == last.frame;
-    for(const auto& use : m_complex.uses(last.cell, Cell_merger::cell_side(last, 2)))
+    for(const auto& use : m_complex.uses(last.cell, cell_side(last, 2)))
       if(m_complex.across(use).cell == placed.cell
          && last.frame.after(m_complex.frame_across_segment(use)) == placed.frame)
         return true;

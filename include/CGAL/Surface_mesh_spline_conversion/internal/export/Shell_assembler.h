@@ -15,7 +15,7 @@
 #include <CGAL/Surface_mesh_spline_conversion/internal/caps/Cap_builder.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/caps/Crease_builder.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/Cell_complex.h>
-#include <CGAL/Surface_mesh_spline_conversion/internal/export/Cell_merger.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/export/Cell_rectangle.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/blossoms.h>
 
 #include <algorithm>
@@ -74,8 +74,8 @@ class Shell_assembler
 
 public:
   Shell_assembler(const Cell_complex& complex, const std::vector<Cap>& caps,
-                  const std::vector<Crease>& creases, const Cell_merger& merger)
-    : m_complex(complex), m_caps(caps), m_creases(creases), m_merger(merger)
+                  const std::vector<Crease>& creases)
+    : m_complex(complex), m_caps(caps), m_creases(creases)
   {}
 
   /// \param boundary_points where the boundary must have further vertices
@@ -180,23 +180,9 @@ private:
   {
     Loop result;
     for(int side = 0; side < 4; ++side)
-    {
-      std::vector<std::pair<std::int64_t, std::size_t> > order;
-      for(std::size_t i = 0; i < face.cells.size(); ++i)
-      {
-        const Tick_rectangle r = Cell_merger::image(m_complex, face.cells[i]);
-        if(Cell_merger::level(r, side) == Cell_merger::level(face.bounds, side))
-          order.emplace_back((side < 2) ? r.low[side] : -r.high[side - 2], i);
-      }
-      std::sort(order.begin(), order.end());
-      for(const auto& entry : order)
-      {
-        const Placed_cell& placed = face.cells[entry.second];
-        for(const Segment_use& use
-            : m_complex.uses(placed.cell, Cell_merger::cell_side(placed, side)))
+      for(const Placed_cell& placed : cells_on_side(m_complex, face, side))
+        for(const Segment_use& use : m_complex.uses(placed.cell, cell_side(placed, side)))
           append_pieces(use, result[side]);
-      }
-    }
     return result;
   }
 
@@ -238,21 +224,23 @@ private:
         face.loop.push_back(oriented_edge({side.begin() + begin, side.begin() + end}, shell));
       }
     if(face.is_extraordinary)
-      take_spokes(shell, face);
+      take_edges(shell, face);
     shell.add_face(std::move(face));
   }
 
-  // Gives a sector of a cap the very points of the edges that it shares with the sectors beside it;
-  // its own differ from them by rounding.
-  static void take_spokes(const Shell& shell, typename Shell::Face& face)
+  // Gives a sector of a cap the very points of the edges on its whole sides; its own differ from
+  // them by rounding. Sides 0 and 3, between two sectors, are always whole.
+  static void take_edges(const Shell& shell, typename Shell::Face& face)
   {
-    for(int side : {0, 3})
+    for(int side = 0; side < 4; ++side)
     {
-      const auto& use = (side == 0) ? face.loop.front() : face.loop.back();
+      if(face.loop.size() != 4 && side % 3 != 0)
+        continue;
+      const auto& use = (side == 3) ? face.loop.back() : face.loop[side];
       std::vector<std::size_t> indices = face.surface.indices_on_side(side);
+      const std::vector<Point_3>& points = shell.edge(use.edge).curve.control_points;
       if(!use.is_forward)
         std::reverse(indices.begin(), indices.end());
-      const std::vector<Point_3>& points = shell.edge(use.edge).curve.control_points;
       for(std::size_t i = 0; i < points.size(); ++i)
         face.surface.control_points[indices[i]] = points[i];
     }
@@ -292,6 +280,12 @@ private:
     return side.cell != NO_INDEX && m_complex.cells()[side.cell].cap != NO_INDEX;
   }
 
+  // is this a whole side of a cap?
+  bool is_side_of_cap(const Cell_complex::Segment_side& side) const
+  {
+    return is_cap(side) && side.first == 0 && side.last == 1;
+  }
+
   // in units of layout quads
   double length(const Segment_use& use) const
   {
@@ -302,8 +296,9 @@ private:
 
   B_spline_curve_3<K> curve(const std::vector<Piece>& run) const
   {
-    if(is_cap(m_complex.here(run.front().use)) && is_cap(m_complex.across(run.front().use)))
-      return spoke(run.front().use);
+    for(const auto* side : {&m_complex.here(run.front().use), &m_complex.across(run.front().use)})
+      if(run.size() == 1 && is_side_of_cap(*side))
+        return cap_curve(run.front().use, *side);
     std::vector<Cubic> pieces;
     std::vector<double> breaks(1, 0);
     for(const Piece& piece : run)
@@ -336,15 +331,17 @@ private:
                        side.first);
   }
 
-  // the common curve of two sectors of a cap
-  B_spline_curve_3<K> spoke(const Segment_use& use) const
+  // the curve of a side of a cap, in the direction of the use
+  B_spline_curve_3<K> cap_curve(const Segment_use& use,
+                                const Cell_complex::Segment_side& side) const
   {
-    const auto& side = m_complex.here(use);
     const Cap_sector& s = sector(m_complex.cells()[side.cell]);
     const Biquintic grid = rotated(s.points, (4 + s.corner - side.side) & 3);
     B_spline_curve_3<K> result;
     for(int i = 0; i < Cap_operator::ORDER; ++i)
       result.control_points.push_back(point(grid[i]));
+    if(&side != &m_complex.here(use))
+      std::reverse(result.control_points.begin(), result.control_points.end());
     result.knots = Knot_vector<typename K::FT>(Cap_operator::DEGREE, {0, length(use)});
     return result;
   }
@@ -391,7 +388,7 @@ private:
     std::array<std::vector<std::int64_t>, 2> ticks;
     for(int axis = 0; axis < 2; ++axis)
     {
-      ticks[axis] = m_merger.breakpoints(face, axis);
+      ticks[axis] = breakpoints(m_complex, face, axis);
       for(std::int64_t t : ticks[axis])
         breaks[axis].push_back(double(t - face.bounds.low[axis]) / double(QUAD_TICKS));
     }
@@ -408,7 +405,7 @@ private:
       {
         const std::size_t c = cell_of_span[control_point_span(breaks[1], j) * (nu - 3)
                                            + control_point_span(breaks[0], i)];
-        const Tick_rectangle r = Cell_merger::image(m_complex, face.cells[c]);
+        const Tick_rectangle r = placed_rectangle(m_complex, face.cells[c]);
         std::array<Blossom_arguments, 2> t;
         for(int axis = 0; axis < 2; ++axis)
           t[axis] = normalized(control_point_arguments(breaks[axis], axis == 0 ? i : j),
@@ -431,7 +428,7 @@ private:
     std::vector<std::size_t> result(nu * nv, 0);
     for(std::size_t c = 0; c < face.cells.size(); ++c)
     {
-      const Tick_rectangle r = Cell_merger::image(m_complex, face.cells[c]);
+      const Tick_rectangle r = placed_rectangle(m_complex, face.cells[c]);
       std::array<std::array<std::size_t, 2>, 2> range;
       for(int axis = 0; axis < 2; ++axis)
       {
@@ -449,7 +446,6 @@ private:
   const Cell_complex& m_complex;
   const std::vector<Cap>& m_caps;
   const std::vector<Crease>& m_creases;
-  const Cell_merger& m_merger;
   // vertices of the complex and, after them, those that cut segments
   std::vector<char> m_is_node;
   std::vector<std::size_t> m_vertex;          // of the shell

@@ -139,7 +139,7 @@ inline bool fit_together(const Cell_complex& before, const Cell_complex& after)
     const Cell& cell = after.cells()[c];
     if(!cell.is_end_of_crease)
       continue;
-    const auto& uses = after.uses(c, Cell_merger::cell_side({c, cell.frame}, 2));
+    const auto& uses = after.uses(c, cell_side({c, cell.frame}, 2));
     if(uses.size() != 1 || after.across(uses.front()).cell == NO_INDEX
        || after.cells()[after.across(uses.front()).cell].cap == NO_INDEX
        || after.across(uses.front()).last - after.across(uses.front()).first != 1)
@@ -190,10 +190,8 @@ Extraction_result extract_shell(std::vector<Cell> cells, const Quad_neighbors& n
       break;
   const Cell_complex complex = make_cell_complex(std::move(parts), neighbors);
 
-  Cell_merger merger(complex, equality);
-  std::vector<Cell_rectangle> faces = merger(settings.do_merge);
-  Shell_assembler<K>(complex, caps, creases, merger)(std::move(faces), settings.boundary_points,
-                                                     shell);
+  std::vector<Cell_rectangle> faces = Cell_merger(complex, equality)(settings.do_merge);
+  Shell_assembler<K>(complex, caps, creases)(std::move(faces), settings.boundary_points, shell);
 
   Extraction_result result;
   result.number_of_caps = caps.size();
