@@ -31,9 +31,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iomanip>
 #include <memory>
 #include <optional>
 #include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -106,7 +108,11 @@ inline std::string describe(const Field_attempt& attempt, const Integer_grid_map
   std::string text;
   const auto add = [&text](const std::string& part) { text += (text.empty() ? "" : "; ") + part; };
   if(attempt.proxy_refinement > 1)
-    add("edges of the proxy divided by " + std::to_string(std::lround(attempt.proxy_refinement)));
+  {
+    std::ostringstream refinement;
+    refinement << std::setprecision(2) << attempt.proxy_refinement;
+    add("edges of the proxy divided by " + refinement.str());
+  }
   if(attempt.mesh == Field_attempt::Mesh::OTHER)
     add(map.proxy ? "a proxy" : "no proxy");
   if(attempt.spacing < 1)
@@ -163,8 +169,9 @@ private:
   std::vector<Field_attempt> further_attempts() const
   {
     std::vector<Field_attempt> attempts;
+    // from the first on, twice the faces each time
     if(m_is_folded)
-      for(double refinement : {2., 4.})
+      for(double refinement : {2., std::sqrt(8.), 4.})
         attempts.push_back(Field_attempt{1, refinement, Field_attempt::Mesh::CHOSEN});
     attempts.push_back(Field_attempt{1, 1, Field_attempt::Mesh::OTHER});
     if(m_field.proxy
@@ -307,11 +314,12 @@ the quads of this map.
 Where the map fails, singularities are moved, and quads that are larger than the features of the
 shape are given singularities at smaller distances. Where the projection from a proxy turns out to
 have folds, finer proxies are tried; then the mesh itself in place of a proxy, or the other way
-round. The mesh itself comes before finer proxies if it has fewer faces than its proxy. Where quads of
-the layout are inverted when they are drawn flat, smaller ones are tried around them; the result is
-kept if fewer are inverted. What cannot fail comes last, if there is no map: the mesh is coarsened, a ring of quads is laid along each boundary loop, and each
-triangle in between is divided into three quads. Such a layout is valid, but has many extraordinary
-points; its corners are regular vertices even where the boundary is convex.
+round. The mesh itself comes before finer proxies if it has fewer faces than its proxy. Where quads
+of the layout are inverted when they are drawn flat, smaller ones are tried around them; the result
+is kept if fewer are inverted. What cannot fail comes last, if there is no map: the mesh is
+coarsened, a ring of quads is laid along each boundary loop, and each triangle in between is divided
+into three quads. Such a layout is valid, but has many extraordinary points; its corners are regular
+vertices even where the boundary is convex.
 `Conversion_report::Map::fallback` says which of these was needed.
 
 \tparam TriangleMesh a model of `HalfedgeListGraph` and `FaceListGraph`
