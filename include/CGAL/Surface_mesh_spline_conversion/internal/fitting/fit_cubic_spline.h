@@ -45,8 +45,9 @@ constexpr std::array<double, 5> boole_weights
   = {{7. / 90, 32. / 90, 12. / 90, 32. / 90, 7. / 90}};
 
 // On the diagonal of the multipliers of constraints: the matrix is then quasidefinite (Vanderbei,
-// 1995), so that it can be factorized in any order even where constraints depend on each other, and
-// the constraints hold up to about this share of what the least squares alone would leave.
+// 1995), so that it can be factorized even where constraints depend on each other, and the
+// constraints hold up to about this share of what the least squares alone would leave. Multipliers
+// are the last unknowns, and have to be eliminated last: as pivots, they would cancel the rest.
 constexpr double multiplier_regularization = -1e-10;
 
 // Fits a cubic spline to a curve in the least-squares sense (paper, section 3.2.1). At the joints,
@@ -163,7 +164,9 @@ private:
       add_joint(k);
     Eigen::SparseMatrix<double> matrix(n, n);
     matrix.setFromTriplets(m_entries.begin(), m_entries.end());
-    Eigen::SimplicialLDLT<Eigen::SparseMatrix<double> > solver(matrix);
+    // the matrix is a band, but for the constraints and the corners of a periodic one
+    Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower,
+                          Eigen::NaturalOrdering<int> > solver(matrix);
     if(solver.info() != Eigen::Success)
       return false;
     const Eigen::MatrixXd solution = solver.solve(m_right_hand_side);
