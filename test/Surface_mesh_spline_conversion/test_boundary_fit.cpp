@@ -174,6 +174,40 @@ void test_shape(bool is_closed)
   }
 }
 
+// The splines pass through the joints, wherever these are on the spans, and their errors fall as
+// without joints.
+void test_joints(bool is_closed)
+{
+  double last = 0;
+  for(int n : {8, 16, 32})
+  {
+    Circle circle{is_closed ? double(n) : 2. * n, 0.3};
+    Chain_knots knots = is_closed ? periodic_knots(n) : open_knots(n);
+    const Cubic_spline_basis basis = knots.basis();
+    const Chain_fit without
+      = internal::fit_chain_shape(knots, internal::fit_chain(knots, circle), circle);
+    knots.joints = {0.3, 1, 2.71, 5.5, 5.9};
+    if(is_closed)
+      knots.joints.push_back(0);
+    const Chain_fit fit = internal::fit_chain(knots, circle);
+    const Chain_fit shape = internal::fit_chain_shape(knots, fit, circle);
+    assert(shape.worst().bound < fit.worst().bound);
+    double distance = 0;
+    for(double x : knots.joints)
+    {
+      const auto values = basis.values(basis.span_of(x), x);
+      for(const Chain_fit* f : {&fit, &shape})
+        assert((internal::evaluate(values, f->polygon, 0) - circle.point(x)).norm()
+               < 1e-6 * f->worst().bound);
+      distance = (std::max)(distance, (internal::evaluate(values, without.polygon, 0)
+                                       - circle.point(x)).norm());
+    }
+    assert(distance > 0.1 * without.worst().bound);
+    assert(last == 0 || last / fit.worst().bound > 10); // order 4
+    last = fit.worst().bound;
+  }
+}
+
 // a straight line that goes on as a circular arc: its curvature jumps
 struct Line_and_arc
 {
@@ -325,6 +359,8 @@ int main()
   test_number_of_segments();
   test_balance();
   test_evenness();
+  test_joints(true);
+  test_joints(false);
   test_shape(true);
   test_shape(false);
   for(double jitter : {0., 0.5})

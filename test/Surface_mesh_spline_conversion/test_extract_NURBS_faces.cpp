@@ -200,7 +200,7 @@ void test_lines_out_of_the_tangent_plane(int m, double tolerance)
   { return p.z() > 0 && std::abs(std::abs(p.x()) - std::abs(p.y())) < 1e-9; };
   const Quad_layout layout = block_layout<K>(cube_blocks(true), m, on_sphere, is_corner);
   double deviation_in_plane = 0; // of the faces at creases
-  for(double slope : {0., 0.02, -0.02, 0.05, -0.05})
+  for(double slope : {0., 0.02, -0.02, 0.05, -0.05, 0.7, -0.7})
   {
     CGAL::T_NURCC_surface_3<K> surface(layout);
     straighten_corners(layout, surface, slope);
@@ -215,7 +215,10 @@ void test_lines_out_of_the_tangent_plane(int m, double tolerance)
     assert(checks.largest_angle < 1e-8);
     if(slope == 0)
       deviation_in_plane = statistics.crease_deviation;
-    assert(statistics.crease_deviation < 1.1 * (deviation_in_plane + 0.1 * tolerance));
+    if(std::abs(slope) < 0.1)
+      assert(statistics.crease_deviation < 1.1 * (deviation_in_plane + 0.1 * tolerance));
+    else // the faces have to turn from the plane
+      assert(statistics.crease_deviation < deviation_in_plane + 0.3 * tolerance);
     if(tolerance == 2 && std::abs(slope) < 0.03) // a tenth is for the faces at creases as a whole
       assert(statistics.crease_deviation < 0.1 * tolerance);
   }

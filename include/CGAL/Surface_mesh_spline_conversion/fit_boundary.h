@@ -34,8 +34,9 @@ remainder measured in between.
 
 The boundary of the surface along a chain is a cubic spline that depends on the outermost row of
 control points only, hence the chains are independent least-squares problems. Corners are
-interpolated with the tangents of both curves, and a curve in a plane is fitted by a curve in this
-plane. Spans with a too large error are bisected, until the bound is below half of the tolerance
+interpolated with the tangents of both curves, joints of curves and seams of closed curves without
+them, as edges of other faces of a CAD model may end there; a curve in a plane is fitted by a curve
+in this plane. Spans with a too large error are bisected, until the bound is below half of the tolerance
 (below the tolerance, if the error metric is parametric): where two faces meet at a curve, sewing
 them adds the deviations of both.
 

@@ -126,6 +126,11 @@ private:
   // a face is narrowed so often at most until its deviation is small enough
   static constexpr int MAXIMUM_NUMBER_OF_HALVINGS = 3;
 
+  // A shift is shortened so often at most. Its size falls with its length, so that this allows any
+  // slope of the line against the plane of the tangents: next to a corner close to 180 degrees, the
+  // surface may leave that plane by any angle.
+  static constexpr int MAXIMUM_NUMBER_OF_SHIFT_HALVINGS = 12;
+
   Tick_rectangle image(const Placed_cell& placed) const
   {
     return placed_rectangle(m_complex, placed);
@@ -179,7 +184,7 @@ private:
       return;
     const double height = normal.dot(right[0] - right[4]) / normal.squaredNorm();
     const Eigen::Vector3d change = height / double(crease.breaks[1]) * normal;
-    for(int i = 0; i <= MAXIMUM_NUMBER_OF_HALVINGS; ++i)
+    for(int i = 0; i <= MAXIMUM_NUMBER_OF_SHIFT_HALVINGS; ++i)
     {
       const std::int64_t end = crease.breaks.back() >> i;
       const Eigen::Vector3d shift = change * double(end);

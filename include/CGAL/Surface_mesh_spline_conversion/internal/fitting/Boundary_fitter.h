@@ -25,6 +25,8 @@
 
 #include <Eigen/Core>
 
+#include <boost/math/tools/roots.hpp>
+
 #include <algorithm>
 #include <cstddef>
 #include <string>
@@ -84,7 +86,10 @@ public:
       m_report(report)
   {
     for(size_type c = 0; c < target.number_of_chains(); ++c)
+    {
       m_curves.emplace_back(Chain_target{&target, c});
+      m_joints.push_back(joints(c));
+    }
     m_chains.resize(m_curves.size());
   }
 
@@ -136,9 +141,40 @@ private:
     return code;
   }
 
+  // the parameters of the joints of a chain
+  std::vector<double> joints(size_type chain) const
+  {
+    std::vector<double> result;
+    if(m_target.number_of_sides(chain) == 0)
+      return result;
+    const double first = CGAL::to_double(m_target.arc_length(chain, FT(0)));
+    for(const auto& joint : m_target.network().joints(chain))
+    {
+      double s = CGAL::to_double(joint.arc_length);
+      if(m_target.is_closed(chain) && s < first)
+        s += CGAL::to_double(m_target.network().length(chain));
+      result.push_back(parameter(chain, s));
+    }
+    return result;
+  }
+
+  // the parameter at the arc length `s`, which is not less than that at the parameter 0
+  double parameter(size_type chain, double s) const
+  {
+    const auto distance
+      = [&](double x) { return CGAL::to_double(m_target.arc_length(chain, FT(x))) - s; };
+    const double last = double(m_target.number_of_sides(chain));
+    if(distance(0) >= 0 || distance(last) <= 0)
+      return 0;
+    const auto bracket = boost::math::tools::bisect(distance, 0., last,
+                                                    boost::math::tools::eps_tolerance<double>());
+    return (bracket.first + bracket.second) / 2;
+  }
+
   Chain_knots knots(size_type chain) const
   {
     Chain_knots result;
+    result.joints = m_joints[chain];
     const auto curve = m_surface.boundary_curve(chain);
     for(const auto& x : curve.knots)
       result.knots.push_back(CGAL::to_double(x));
@@ -300,6 +336,7 @@ private:
   Visitor& m_visitor;
   Conversion_report& m_report;
   std::vector<Cached_curve_target<Chain_target> > m_curves;
+  std::vector<std::vector<double> > m_joints; // of each chain
   std::vector<Fitted_chain> m_chains;
   std::vector<bool> m_is_met; // per chain: has it reached the goal?
   Span_error m_worst;

@@ -44,7 +44,15 @@ inline Eigen::Vector3d evaluate(const Cubic_spline_basis::Values& values,
 constexpr std::array<double, 5> boole_weights
   = {{7. / 90, 32. / 90, 12. / 90, 32. / 90, 7. / 90}};
 
-// Fits a cubic spline to a curve in the least-squares sense (paper, section 3.2.1).
+// On the diagonal of the multipliers of constraints: the matrix is then quasidefinite (Vanderbei,
+// 1995), so that it can be factorized even where constraints depend on each other, and the
+// constraints hold up to about this share of what the least squares alone would leave. Multipliers
+// are the last unknowns, and have to be eliminated last: as pivots, they would cancel the rest.
+constexpr double multiplier_regularization = -1e-10;
+
+// Fits a cubic spline to a curve in the least-squares sense (paper, section 3.2.1). At the joints,
+// which are parameters, the spline passes through the points of the curve: edges of other faces of
+// a CAD model may end there.
 //
 // The end points and end derivatives of an open spline are those of the target (section 3.2.2);
 // they fix the two first and the two last control points, which are eliminated. The three
@@ -53,8 +61,9 @@ template <typename CurveTarget>
 class Cubic_spline_fitter
 {
 public:
-  Cubic_spline_fitter(const Cubic_spline_basis& basis, CurveTarget& target)
-    : m_basis(basis), m_target(target), m_polygon(basis.size(), Eigen::Vector3d(0, 0, 0)),
+  Cubic_spline_fitter(const Cubic_spline_basis& basis, const std::vector<double>& joints,
+                      CurveTarget& target)
+    : m_basis(basis), m_joints(joints), m_target(target), m_polygon(basis.size(), Eigen::Vector3d(0, 0, 0)),
       m_first_free(basis.is_periodic() ? 0 : 2),
       m_number_of_free(basis.size() - 2 * m_first_free)
   {}
@@ -97,14 +106,35 @@ private:
     return i >= m_first_free && i < m_first_free + m_number_of_free;
   }
 
+  // what the free functions have to add up to at `x`
+  Eigen::Vector3d value_of_free(const Cubic_spline_basis::Values& values, double x) const
+  {
+    Eigen::Vector3d result = m_target.point(x) - m_origin;
+    for(std::size_t i = 0; i < 4; ++i)
+      if(!is_free(values.functions[i]))
+        result -= values.derivatives[0][i] * m_polygon[values.functions[i]];
+    return result;
+  }
+
+  // the constraint with the given number; its multiplier is the unknown behind the free points
+  void add_joint(std::size_t number)
+  {
+    const double x = m_joints[number];
+    const Cubic_spline_basis::Values values = m_basis.values(m_basis.span_of(x), x);
+    const int r = static_cast<int>(m_number_of_free + number);
+    m_right_hand_side.row(r) = value_of_free(values, x).transpose();
+    for(std::size_t i = 0; i < 4; ++i)
+      if(is_free(values.functions[i]))
+        m_entries.emplace_back(r, static_cast<int>(values.functions[i] - m_first_free),
+                               values.derivatives[0][i]);
+    m_entries.emplace_back(r, r, multiplier_regularization);
+  }
+
   void add_sample(std::size_t span, double x, double weight)
   {
     const Cubic_spline_basis::Values values = m_basis.values(span, x);
     const Cubic_spline_basis::Row& row = values.derivatives[0];
-    Eigen::Vector3d value = m_target.point(x) - m_origin;
-    for(std::size_t i = 0; i < 4; ++i)
-      if(!is_free(values.functions[i]))
-        value -= row[i] * m_polygon[values.functions[i]];
+    const Eigen::Vector3d value = value_of_free(values, x);
     for(std::size_t i = 0; i < 4; ++i)
     {
       if(!is_free(values.functions[i]))
@@ -122,7 +152,7 @@ private:
 
   bool solve()
   {
-    const int n = static_cast<int>(m_number_of_free);
+    const int n = static_cast<int>(m_number_of_free + m_joints.size());
     m_right_hand_side.setZero(n, 3);
     for(std::size_t span = 0; span < m_basis.number_of_spans(); ++span)
     {
@@ -130,20 +160,25 @@ private:
       for(std::size_t k = 0; k < boole_weights.size(); ++k)
         add_sample(span, begin + length * (double(k) / 4), length * boole_weights[k]);
     }
+    for(std::size_t k = 0; k < m_joints.size(); ++k)
+      add_joint(k);
     Eigen::SparseMatrix<double> matrix(n, n);
     matrix.setFromTriplets(m_entries.begin(), m_entries.end());
-    Eigen::SimplicialLDLT<Eigen::SparseMatrix<double> > solver(matrix);
+    // the matrix is a band, but for the constraints and the corners of a periodic one
+    Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower,
+                          Eigen::NaturalOrdering<int> > solver(matrix);
     if(solver.info() != Eigen::Success)
       return false;
     const Eigen::MatrixXd solution = solver.solve(m_right_hand_side);
     if(!solution.allFinite())
       return false;
-    for(int i = 0; i < n; ++i)
-      m_polygon[m_first_free + static_cast<std::size_t>(i)] = solution.row(i).transpose();
+    for(std::size_t i = 0; i < m_number_of_free; ++i)
+      m_polygon[m_first_free + i] = solution.row(static_cast<int>(i)).transpose();
     return true;
   }
 
   const Cubic_spline_basis& m_basis;
+  const std::vector<double>& m_joints;
   CurveTarget& m_target;
   Control_polygon m_polygon;
   std::size_t m_first_free, m_number_of_free;

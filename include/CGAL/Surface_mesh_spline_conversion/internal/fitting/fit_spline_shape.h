@@ -34,7 +34,8 @@ namespace internal {
 // least-squares sense by Gauss-Newton steps; the distances along it, to the points at equal
 // parameters, count with a small weight. A coarse spline may then be about twice as close to the
 // curve as the fit at equal parameters. The ends of an open spline stay, as do the directions of its
-// end derivatives; their lengths are unknowns.
+// end derivatives; their lengths are unknowns. At the joints, the spline passes through the points of
+// the curve at equal parameters.
 //
 // The weight is the given one on spans of length 1, and grows with the inverse square of the
 // length. Short spans are there for a jump of the curvature, where sliding along the curve gains
@@ -43,12 +44,14 @@ template <typename CurveTarget>
 class Spline_shape_fitter
 {
 public:
-  Spline_shape_fitter(const Cubic_spline_basis& basis, CurveTarget& target,
-                      double tangential_weight)
+  Spline_shape_fitter(const Cubic_spline_basis& basis, const std::vector<double>& joints,
+                      CurveTarget& target, double tangential_weight)
     : m_basis(basis), m_target(target), m_tangential_weight(tangential_weight),
       m_is_periodic(basis.is_periodic())
   {
     make_samples();
+    for(double x : joints)
+      m_joints.emplace_back(basis.values(basis.span_of(x), x), target.point(x));
   }
 
   // improves `polygon`, a fit at equal parameters; returns `false` if the linear system is singular
@@ -94,14 +97,15 @@ private:
 
   // The unknowns are, in the order of the control points, the moves of the free ones, and in an
   // open spline those of the second and of the second last one along the tangents.
-  std::vector<Term> terms(const Sample& sample, const Control_polygon& polygon) const
+  std::vector<Term> terms(const Cubic_spline_basis::Values& values,
+                          const Control_polygon& polygon) const
   {
     std::vector<Term> result;
     const std::size_t n = polygon.size();
     for(std::size_t i = 0; i < 4; ++i)
     {
-      const std::size_t f = sample.values.functions[i];
-      const double value = sample.values.derivatives[0][i];
+      const std::size_t f = values.functions[i];
+      const double value = values.derivatives[0][i];
       if(m_is_periodic || (f > 1 && f + 2 < n))
         for(int d = 0; d < 3; ++d)
           result.emplace_back(first_unknown(f) + d, value * Eigen::Vector3d::Unit(d));
@@ -123,9 +127,26 @@ private:
     return 3 * static_cast<int>(m_basis.size()) - (m_is_periodic ? 0 : 10);
   }
 
+  // The constraints: what the moves add to the points at the joints takes these to the curve. The
+  // multipliers are the unknowns from `first` on.
+  void add_joints(const Control_polygon& polygon, int first,
+                  std::vector<Eigen::Triplet<double> >& entries,
+                  Eigen::VectorXd& right_hand_side) const
+  {
+    for(const auto& [values, point] : m_joints)
+    {
+      right_hand_side.segment<3>(first) = point - evaluate(values, polygon, 0);
+      for(const Term& term : terms(values, polygon))
+        for(int d = 0; d < 3; ++d)
+          entries.emplace_back(first + d, term.first, term.second[d]);
+      for(int d = 0; d < 3; ++d, ++first)
+        entries.emplace_back(first, first, multiplier_regularization);
+    }
+  }
+
   bool step(Control_polygon& polygon) const
   {
-    const int n = number_of_unknowns();
+    const int n = number_of_unknowns() + 3 * static_cast<int>(m_joints.size());
     std::vector<Eigen::Triplet<double> > entries;
     Eigen::VectorXd right_hand_side = Eigen::VectorXd::Zero(n);
     for(const Sample& sample : m_samples)
@@ -138,7 +159,7 @@ private:
         = weight * (m_target.curve_point(sample.arc_length)
                     + (sample.first_arc_length - sample.arc_length) * tangent
                     - evaluate(sample.values, polygon, 0));
-      const std::vector<Term> row = terms(sample, polygon);
+      const std::vector<Term> row = terms(sample.values, polygon);
       for(const Term& a : row)
       {
         right_hand_side[a.first] += a.second.dot(residual);
@@ -148,9 +169,10 @@ private:
             entries.emplace_back(a.first, b.first, weighted.dot(b.second));
       }
     }
+    add_joints(polygon, number_of_unknowns(), entries, right_hand_side);
     Eigen::SparseMatrix<double> matrix(n, n);
     matrix.setFromTriplets(entries.begin(), entries.end());
-    // the matrix is a band, but for the corners of a periodic one
+    // the matrix is a band, but for the constraints and the corners of a periodic one
     Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower,
                           Eigen::NaturalOrdering<int> > solver(matrix);
     if(solver.info() != Eigen::Success)
@@ -178,6 +200,7 @@ private:
   double m_tangential_weight;
   bool m_is_periodic;
   std::vector<Sample> m_samples;
+  std::vector<std::pair<Cubic_spline_basis::Values, Eigen::Vector3d> > m_joints; // and their points
 };
 
 } // namespace internal

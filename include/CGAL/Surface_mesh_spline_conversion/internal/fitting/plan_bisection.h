@@ -31,6 +31,7 @@ struct Chain_knots
 {
   std::vector<double> knots;
   double period = 0; // 0: open
+  std::vector<double> joints; // parameters where the spline shall pass through the curve
 
   Cubic_spline_basis basis() const
   {
@@ -177,7 +178,7 @@ template <typename CurveTarget>
 Chain_fit fit_chain(const Chain_knots& knots, CurveTarget& target)
 {
   const Cubic_spline_basis basis = knots.basis();
-  Cubic_spline_fitter<CurveTarget> fitter(basis, target);
+  Cubic_spline_fitter<CurveTarget> fitter(basis, knots.joints, target);
   Chain_fit result;
   result.is_solved = fitter();
   if(!result.is_solved)
@@ -199,7 +200,7 @@ Chain_fit fit_chain_shape(const Chain_knots& knots, const Chain_fit& start, Curv
   for(double weight : tangential_weights)
   {
     Chain_fit result = start;
-    if(!Spline_shape_fitter<CurveTarget>(basis, target, weight)(result.polygon))
+    if(!Spline_shape_fitter<CurveTarget>(basis, knots.joints, target, weight)(result.polygon))
       continue;
     const Closest_point_sampler<CurveTarget> sampler(basis, result.polygon, target);
     Span_samples samples;
