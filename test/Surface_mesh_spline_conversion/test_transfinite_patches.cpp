@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace internal = CGAL::Surface_mesh_spline_conversion::internal;
@@ -151,6 +152,67 @@ void test_feet_in_boundary_quads(const Input& input)
   }
 }
 
+double squared_distance_from_mesh(const Point& p, const Mesh& mesh)
+{
+  double result = std::numeric_limits<double>::infinity();
+  for(Mesh::Face_index f : mesh.faces())
+  {
+    std::vector<Point> corners;
+    for(Mesh::Vertex_index v : vertices_around_face(halfedge(f, mesh), mesh))
+      corners.push_back(mesh.point(v));
+    result = (std::min)(result, CGAL::squared_distance(
+      p, Kernel::Triangle_3(corners[0], corners[1], corners[2])));
+  }
+  return result;
+}
+
+double squared_distance_from_boundary(const Point& p, const Mesh& mesh)
+{
+  double result = std::numeric_limits<double>::infinity();
+  for(Mesh::Edge_index e : mesh.edges())
+    if(mesh.is_border(e))
+      result = (std::min)(result, CGAL::squared_distance(
+        p, Kernel::Segment_3(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1)))));
+  return result;
+}
+
+double mean_edge_length_of_faces(const Mesh& mesh)
+{
+  double sum = 0;
+  for(Mesh::Halfedge_index h : mesh.halfedges())
+    if(!mesh.is_border(h))
+      sum += distance(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)));
+  return sum / (3. * mesh.number_of_faces());
+}
+
+// In a quad that is much wider than the edges of the mesh, the gap between curve and chord does not
+// reach farther than the three edges within which measure_deviation() tolerates it.
+void test_wide_boundary_quads(const Input& input)
+{
+  const Target& target = input.target();
+  const double band = 3 * mean_edge_length_of_faces(input.mesh());
+  std::size_t beyond = 0, displaced = 0;
+  for(std::size_t q = 0; q < input.layout().number_of_quads(); ++q)
+    for(double u = 1. / 64; u < 1; u += 1. / 32)
+      for(double v = 1. / 64; v < 1; v += 1. / 32)
+      {
+        assert(target.is_boundary_quad(q));
+        const Point p = target.point(q, u, v);
+        const double d = std::sqrt(squared_distance_from_mesh(p, input.mesh()));
+        if(std::sqrt(squared_distance_from_boundary(p, input.mesh())) > 1.001 * band)
+        {
+          assert(target.is_on_mesh(q, u, v) && d < 1e-12);
+          ++beyond;
+        }
+        else if(d > 1e-6)
+        {
+          assert(!target.is_on_mesh(q, u, v));
+          ++displaced;
+        }
+      }
+  assert(beyond > 100 && displaced > 100);
+}
+
 // arc lengths that no smooth curve can follow within the bounds still give a monotone function
 void test_extreme_arc_lengths()
 {
@@ -190,6 +252,13 @@ int main()
   test_sides(Input(height_field(0.3), 4, 1, 5, jittered(4, 1, 0.4)));
   test_sides(Input(torus_band(2, 0.5), 5, 1, 5, jittered(5, 1, 0.4)));
   test_sides(Input(notched_graph(), 6, 3, 5));
+  for(double jitter : {0., 0.4})
+  {
+    const Input wide(height_field(0.3), 2, 2, 12, jittered(2, 2, jitter));
+    test_sides(wide);
+    test_feet_in_boundary_quads(wide);
+    test_wide_boundary_quads(wide);
+  }
   test_extreme_arc_lengths();
   return 0;
 }

@@ -13,6 +13,7 @@
 
 #include <CGAL/Surface_mesh_spline_conversion/Boundary_curve_network_3.h>
 #include <CGAL/Surface_mesh_spline_conversion/Quad_layout.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/boundary_band.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/named_parameters.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/patches/Curved_facets.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/patches/Layout_boundary.h>
@@ -42,10 +43,12 @@ namespace Surface_mesh_spline_conversion {
 
 The class `Transfinite_patch_network_3` is the surface that `fit_boundary()` and `fit_interior()`
 approximate: a \f$ C^0 \f$ network of patches, one per quad of a layout, that interpolates the
-boundary curves and coincides with the mesh in all quads without a boundary side.
+boundary curves and coincides with the mesh in all quads without a boundary side, and farther than
+three mean edge lengths of the mesh from the boundary in the others.
 
 A point of a quad with a boundary side is the point of the mesh given by the inverse map of the
-layout plus a displacement that blends the gaps between the curves and the boundary of the mesh.
+layout plus a displacement that blends the gaps between the curves and the boundary of the mesh over
+the width of the quad, or of the three edges where the quad is wider.
 The parameter of a boundary chain runs by one along each quad side. It is related to the arc length
 by a function that is \f$ C^2 \f$ and monotone: the vertices of the layout slide along the curves,
 and the inverse map is warped accordingly in the quads with a boundary side.
@@ -122,6 +125,7 @@ public:
     const auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
                                       get_const_property_map(vertex_point, tm));
     m_mesh = std::make_shared<internal::Mesh_projection>(tm, vpm);
+    m_band_width = FT(internal::boundary_band * m_mesh->mean_edge_length());
     if(choose_parameter(get_parameter(np, internal_np::use_smooth_target), false))
       m_curved = std::make_shared<internal::Curved_facets>(tm, vpm);
     find_quad_sizes();
@@ -213,6 +217,13 @@ public:
     const Mesh_place place = place_on_mesh(quad, u, v);
     face = place.location.face;
     return smooth_point(place.location) + place.displacement;
+  }
+
+  /// returns `true` if the point at the local coordinates `(u,v)` of `quad` lies on the mesh, or on
+  /// its curved triangles, since no curve of the boundary displaces it.
+  bool is_on_mesh(size_type quad, const FT& u, const FT& v) const
+  {
+    return !is_boundary_quad(quad) || place_on_mesh(quad, u, v).displacement == NULL_VECTOR;
   }
 
   /*!
@@ -319,7 +330,8 @@ private:
         {
           if(!m_corner_displacements[q])
             m_corner_displacements[q] = std::make_shared<Corner_displacements>(no_displacements());
-          (*m_corner_displacements[q])[i] = side_displacement(q, i, (*sides)[i], FT(0), FT(0));
+          (*m_corner_displacements[q])[i]
+            = side_effect(q, i, (*sides)[i], FT(0), FT(0), FT(1)).displacement;
         }
     }
   }
@@ -352,24 +364,33 @@ private:
     return FT(m_boundary.slide(side.chain, double(side.index) + CGAL::to_double(t)));
   }
 
-  // returns mu_i(t) of section 2.3 of the paper, for the inverse map warped by `slide`
-  Vector_3 side_displacement(size_type quad, int i, const Quad_side& side, const FT& t,
-                             const FT& slide) const
+  // what a boundary side adds to a point of the mesh
+  struct Side_effect
+  {
+    FT weight = FT(0);
+    Vector_3 displacement = NULL_VECTOR; // mu_i(t) of section 2.3 of the paper
+    Point_3 source = ORIGIN;             // the point of the boundary of the mesh that it displaces
+  };
+
+  // returns the effect at the parameter t of a side, for the inverse map warped by `slide`
+  Side_effect side_effect(size_type quad, int i, const Quad_side& side, const FT& t,
+                          const FT& slide, const FT& weight) const
   {
     const std::array<FT, 2> uv = internal::from_side<FT>(i, t + slide, FT(0));
-    return curve_point(side.chain, FT(double(side.index)) + t)
-           - smooth_point(inverse_map_across(quad, uv[0], uv[1]));
+    const typename Layout::Location source = inverse_map_across(quad, uv[0], uv[1]);
+    const Point_3 curve = curve_point(side.chain, FT(double(side.index)) + t);
+    return Side_effect{weight, curve - smooth_point(source), source.point};
   }
 
   // section 2.3 of the paper: the mesh, warped by the slides, plus the blended displacements of
   // all boundary sides. Side i acts on a point with the weight 1 - d, d its distance to the side.
   Mesh_place place_on_mesh(size_type quad, const FT& u, const FT& v) const
   {
-    FT warped_u = u, warped_v = v;
-    Vector_3 displacement(FT(0), FT(0), FT(0));
     const Quad_sides* sides = m_boundary.quad_sides(quad);
     if(sides == nullptr)
-      return Mesh_place{m_layout.inverse_map()(quad, u, v), displacement};
+      return Mesh_place{m_layout.inverse_map()(quad, u, v), NULL_VECTOR};
+    FT warped_u = u, warped_v = v;
+    std::array<Side_effect, 4> effects;
     for(int i = 0; i < 4; ++i)
     {
       const Quad_side& side = (*sides)[i];
@@ -377,14 +398,34 @@ private:
         continue;
       const std::array<FT, 2> td = internal::to_side<FT>(i, u, v);
       const FT weight = FT(1) - td[1], side_slide = slide(side, td[0]);
-      displacement
-        = displacement + weight * side_displacement(quad, i, side, td[0], side_slide);
+      effects[i] = side_effect(quad, i, side, td[0], side_slide, weight);
       const FT move = weight * side_slide;
       (i % 2 == 0 ? warped_u : warped_v) += (i < 2 ? move : -move);
     }
+    const typename Layout::Location location = inverse_map_across(quad, warped_u, warped_v);
+    for(Side_effect& effect : effects)
+      effect.weight = (std::min)(effect.weight, band_weight(effect.source, location.point));
+    return Mesh_place{location, blended_displacement(quad, effects)};
+  }
+
+  // In quads wider than the band along the boundary, in which a surface may leave the mesh for the
+  // curves, the displacement of `source` ends with the band.
+  FT band_weight(const Point_3& source, const Point_3& p) const
+  {
+    const double distance = std::sqrt(CGAL::to_double(CGAL::squared_distance(source, p)));
+    return (std::max)(FT(0), FT(1) - FT(distance) / m_band_width);
+  }
+
+  Vector_3 blended_displacement(size_type quad, const std::array<Side_effect, 4>& effects) const
+  {
+    Vector_3 result = NULL_VECTOR;
+    for(const Side_effect& effect : effects)
+      result = result + effect.weight * effect.displacement;
     if(m_corner_displacements[quad])
-      displacement = displacement - blended_corners(*m_corner_displacements[quad], u, v);
-    return Mesh_place{inverse_map_across(quad, warped_u, warped_v), displacement};
+      for(std::size_t i = 0; i < 4; ++i)
+        result = result - (effects[i].weight * effects[(i + 3) & 3].weight)
+                          * (*m_corner_displacements[quad])[i];
+    return result;
   }
 
   // returns the point of the smooth target that belongs to a point of the mesh
@@ -458,13 +499,6 @@ private:
     return Point_3(FT(q.x()), FT(q.y()), FT(q.z())) + displacement;
   }
 
-  static Vector_3 blended_corners(const Corner_displacements& corners, const FT& u, const FT& v)
-  {
-    const FT u0 = FT(1) - u, v0 = FT(1) - v;
-    return (u0 * v0) * corners[0] + (u * v0) * corners[1] + (u * v) * corners[2]
-           + (u0 * v) * corners[3];
-  }
-
   const Layout& m_layout;
   const Network& m_network;
   Layout_boundary m_boundary;
@@ -472,6 +506,7 @@ private:
   std::shared_ptr<const internal::Curved_facets> m_curved; // null without smooth target
   std::vector<FT> m_quad_sizes;
   FT m_mean_quad_size = FT(0);
+  FT m_band_width; // of the band along the boundary, in model units
   std::vector<std::shared_ptr<Corner_displacements> > m_corner_displacements;
 };
 

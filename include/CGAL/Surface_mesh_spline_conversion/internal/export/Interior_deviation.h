@@ -12,6 +12,7 @@
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
 #include <CGAL/Surface_mesh_spline_conversion/internal/Point_index.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/boundary_band.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/Deviation_statistics.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/Mesh_distance.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/bezier_pieces.h>
@@ -42,9 +43,6 @@ namespace internal {
 class Interior_deviation
 {
 public:
-  /// width of the band along the boundary in mean edge lengths
-  static constexpr double BAND = 3;
-
   /// \param bound deviations up to it count as within the tolerance
   /// \param limit larger deviations are violations
   Interior_deviation(const std::vector<Bezier_piece>& pieces, const Mesh_distance& mesh,
@@ -242,7 +240,8 @@ private:
   double excess(const Eigen::Vector3d& p, double distance) const
   {
     double gap;
-    const bool is_inside = m_mesh.boundary_distance(p, gap) > BAND * m_mesh.mean_edge_length();
+    const double band = boundary_band * m_mesh.mean_edge_length();
+    const bool is_inside = m_mesh.boundary_distance(p, gap) > band;
     return is_inside ? distance : (std::max)(0., distance - gap);
   }
 
