@@ -13,9 +13,9 @@
 
 #include <CGAL/Surface_mesh_spline_conversion/Boundary_curve_network_3.h>
 #include <CGAL/Surface_mesh_spline_conversion/Quad_layout.h>
-#include <CGAL/Surface_mesh_spline_conversion/internal/boundary_band.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/named_parameters.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/patches/Curved_facets.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/patches/Displacement_reach.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/patches/Layout_boundary.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/patches/Mesh_projection.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/patches/quad_sides.h>
@@ -43,12 +43,12 @@ namespace Surface_mesh_spline_conversion {
 
 The class `Transfinite_patch_network_3` is the surface that `fit_boundary()` and `fit_interior()`
 approximate: a \f$ C^0 \f$ network of patches, one per quad of a layout, that interpolates the
-boundary curves and coincides with the mesh in all quads without a boundary side, and farther than
-three mean edge lengths of the mesh from the boundary in the others.
+boundary curves and coincides with the mesh in all quads without a boundary side.
 
 A point of a quad with a boundary side is the point of the mesh given by the inverse map of the
 layout plus a displacement that blends the gaps between the curves and the boundary of the mesh over
-the width of the quad, or of the three edges where the quad is wider.
+the width of the quad. Where the quad is wider than three mean edge lengths of the mesh, or the gap is
+larger than those nearby, the displacement ends earlier, unless it is below half the tolerance.
 The parameter of a boundary chain runs by one along each quad side. It is related to the arc length
 by a function that is \f$ C^2 \f$ and monotone: the vertices of the layout slide along the curves,
 and the inverse map is warped accordingly in the quads with a boundary side.
@@ -96,6 +96,12 @@ public:
                      `GeomTraits::Point_3` as value type}
       \cgalParamDefault{`boost::get(CGAL::vertex_point, tm)`}
     \cgalParamNEnd
+    \cgalParamNBegin{interior_tolerance}
+      \cgalParamDescription{the distance between surface and mesh that is aimed at, in model units:
+                             half of it does not matter in the blend of the gaps}
+      \cgalParamType{a number type convertible to `double`}
+      \cgalParamDefault{`1e-3` times the diameter of the mesh}
+    \cgalParamNEnd
     \cgalParamNBegin{use_smooth_correspondence}
       \cgalParamDescription{whether the vertices of the layout slide along the curves so that the
                              arc length is a smooth function of the parameter; otherwise it is
@@ -125,7 +131,11 @@ public:
     const auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
                                       get_const_property_map(vertex_point, tm));
     m_mesh = std::make_shared<internal::Mesh_projection>(tm, vpm);
-    m_band_width = FT(internal::boundary_band * m_mesh->mean_edge_length());
+    m_reach = std::make_shared<internal::Displacement_reach>(
+      tm, vpm, network, m_mesh->mean_edge_length(),
+      negligible_share * CGAL::to_double(choose_parameter(
+        get_parameter(np, internal_np::interior_tolerance),
+        default_relative_tolerance * network.diameter())));
     if(choose_parameter(get_parameter(np, internal_np::use_smooth_target), false))
       m_curved = std::make_shared<internal::Curved_facets>(tm, vpm);
     find_quad_sizes();
@@ -301,6 +311,11 @@ private:
   // foot points are accepted up to this share of the size of a quad away from the target
   static constexpr double largest_move = 0.5;
 
+  // The target may be that share of the tolerance farther from the mesh than the gaps along the
+  // boundary: the rest is left to the fit.
+  static constexpr double negligible_share = 0.5;
+  static constexpr double default_relative_tolerance = 1e-3;
+
   void find_quad_sizes()
   {
     for(size_type q = 0; q < m_layout.number_of_quads(); ++q)
@@ -370,6 +385,7 @@ private:
     FT weight = FT(0);
     Vector_3 displacement = NULL_VECTOR; // mu_i(t) of section 2.3 of the paper
     Point_3 source = ORIGIN;             // the point of the boundary of the mesh that it displaces
+    double reach = 0;                    // how far from there it acts at most, in model units
   };
 
   // returns the effect at the parameter t of a side, for the inverse map warped by `slide`
@@ -378,8 +394,9 @@ private:
   {
     const std::array<FT, 2> uv = internal::from_side<FT>(i, t + slide, FT(0));
     const typename Layout::Location source = inverse_map_across(quad, uv[0], uv[1]);
-    const Point_3 curve = curve_point(side.chain, FT(double(side.index)) + t);
-    return Side_effect{weight, curve - smooth_point(source), source.point};
+    const FT s = arc_length(side.chain, FT(double(side.index)) + t);
+    return Side_effect{weight, m_network.point(side.chain, s) - smooth_point(source), source.point,
+                       (*m_reach)(side.chain, CGAL::to_double(s))};
   }
 
   // section 2.3 of the paper: the mesh, warped by the slides, plus the blended displacements of
@@ -404,16 +421,15 @@ private:
     }
     const typename Layout::Location location = inverse_map_across(quad, warped_u, warped_v);
     for(Side_effect& effect : effects)
-      effect.weight = (std::min)(effect.weight, band_weight(effect.source, location.point));
+      effect.weight = (std::min)(effect.weight, weight_within_reach(effect, location.point));
     return Mesh_place{location, blended_displacement(quad, effects)};
   }
 
-  // In quads wider than the band along the boundary, in which a surface may leave the mesh for the
-  // curves, the displacement of `source` ends with the band.
-  FT band_weight(const Point_3& source, const Point_3& p) const
+  // In wide quads, a displacement ends with its reach.
+  static FT weight_within_reach(const Side_effect& effect, const Point_3& p)
   {
-    const double distance = std::sqrt(CGAL::to_double(CGAL::squared_distance(source, p)));
-    return (std::max)(FT(0), FT(1) - FT(distance) / m_band_width);
+    const double distance = std::sqrt(CGAL::to_double(CGAL::squared_distance(effect.source, p)));
+    return distance < effect.reach ? FT(1 - distance / effect.reach) : FT(0);
   }
 
   Vector_3 blended_displacement(size_type quad, const std::array<Side_effect, 4>& effects) const
@@ -506,7 +522,7 @@ private:
   std::shared_ptr<const internal::Curved_facets> m_curved; // null without smooth target
   std::vector<FT> m_quad_sizes;
   FT m_mean_quad_size = FT(0);
-  FT m_band_width; // of the band along the boundary, in model units
+  std::shared_ptr<const internal::Displacement_reach> m_reach;
   std::vector<std::shared_ptr<Corner_displacements> > m_corner_displacements;
 };
 

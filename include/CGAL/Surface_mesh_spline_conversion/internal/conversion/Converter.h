@@ -173,7 +173,8 @@ private:
                  const Quad_layout<Kernel>& layout, Conversion_report& part)
   {
     const Target target(layout, network, component.mesh,
-                        parameters::use_smooth_target(m_options.use_smooth_target));
+                        parameters::use_smooth_target(m_options.use_smooth_target)
+                          .interior_tolerance(m_options.interior_tolerance));
     if(target.has_smooth_target())
       part.interior.target_height = CGAL::to_double(target.smooth_target_height());
     Surface surface(layout);
