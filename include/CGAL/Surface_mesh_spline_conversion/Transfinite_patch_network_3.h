@@ -47,8 +47,8 @@ boundary curves and coincides with the mesh in all quads without a boundary side
 
 A point of a quad with a boundary side is the point of the mesh given by the inverse map of the
 layout plus a displacement that blends the gaps between the curves and the boundary of the mesh over
-the width of the quad. Where the quad is wider than three mean edge lengths of the mesh, or the gap is
-larger than those nearby, the displacement ends earlier, unless it is below half the tolerance.
+the width of the quad. It ends earlier where the quad is wider than three mean edge lengths of the
+mesh, or where the gap is larger than those nearby by more than half the tolerance.
 The parameter of a boundary chain runs by one along each quad side. It is related to the arc length
 by a function that is \f$ C^2 \f$ and monotone: the vertices of the layout slide along the curves,
 and the inverse map is warped accordingly in the quads with a boundary side.

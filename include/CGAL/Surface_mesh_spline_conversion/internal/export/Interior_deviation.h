@@ -92,6 +92,16 @@ public:
     return result;
   }
 
+  /// the middle of each piece that looks against the mesh at most of its samples, of faces that do
+  std::vector<Eigen::Vector3d> folds() const
+  {
+    std::vector<Eigen::Vector3d> result;
+    for(std::size_t i = 0; i < m_pieces.size(); ++i)
+      if(m_piece_facing[i] < 0 && m_facing.at(m_pieces[i].face) < 0)
+        result.push_back(m_pieces[i].point(0.5, 0.5));
+    return result;
+  }
+
   /// the number of faces that look against the mesh at most of their samples
   std::size_t number_of_faces_against_mesh() const
   {
@@ -235,6 +245,7 @@ private:
       note_violation(part.samples[i].piece, part.deviations[i], part.points[i]);
     }
     m_facing[m_pieces[part.samples.front().piece].face] += part.facing;
+    m_piece_facing.push_back(part.facing);
   }
 
   double excess(const Eigen::Vector3d& p, double distance) const
@@ -431,6 +442,7 @@ private:
   std::vector<double> m_deviations;
   std::vector<char> m_is_peak;
   std::map<std::size_t, long> m_facing; // by face
+  std::vector<long> m_piece_facing;
   std::map<std::size_t, Violation> m_violations; // by piece
   Deviation_statistics m_statistics;
 };

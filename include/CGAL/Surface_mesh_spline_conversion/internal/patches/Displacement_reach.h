@@ -24,7 +24,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -114,8 +113,7 @@ private:
   static double reach(const Edge& edge, const std::vector<Edge>& edges, double band,
                       double negligible_gap)
   {
-    const double excess = 1 - negligible_gap / edge.gap; // beyond the band, as share of the gap
-    double result = excess > 0 ? band / excess : (std::numeric_limits<double>::infinity)();
+    double result = band;
     for(const Edge& other : edges)
     {
       // a point whose nearest edge is `other` is at least half as far away as that
