@@ -84,7 +84,7 @@ struct Smooth_target
     return start;
   }
 
-  bool is_boundary_quad(std::size_t) const { return false; }
+  bool is_on_mesh(std::size_t, double, double) const { return true; }
   std::size_t number_of_mesh_faces() const { return 0; }
   std::size_t number_of_mesh_vertices() const { return 0; }
   std::array<std::size_t, 3> mesh_face(std::size_t) const { return {{0, 0, 0}}; }

@@ -164,7 +164,7 @@ int main()
   SMSC::Deviation<K> d = measure(two_faces([](int, int) { return 0; }));
   assert(d.boundary_maximum < rounding && d.corner_maximum < rounding);
   assert(d.interior_maximum < rounding && d.normal_angle_maximum < 1e-10);
-  assert(d.normal_violations.empty());
+  assert(d.normal_violations.empty() && d.folds.empty());
   assert(d.fraction_within == 1 && d.faces_against_mesh == 0 && d.interior_violations.empty());
 
   // moved as a whole: everything deviates by that much, and nothing is within less
@@ -224,6 +224,10 @@ int main()
   flipped.mesh = mesh;
   d = flipped(two_faces([](int, int) { return 0; }));
   assert(d.faces_against_mesh == 2 && d.interior_maximum < rounding);
+  assert(d.folds.size() == 2);
+  for(std::size_t i = 0; i < 2; ++i) // the middle of each face
+    assert(CGAL::squared_distance(d.folds[i], Point_3(SIZE * (1 + 2. * double(i)) / 4, SIZE / 2, 0))
+           < rounding);
   test_ridge();
   std::cout << "ok" << std::endl;
   return 0;

@@ -5,8 +5,10 @@
 #include <CGAL/Surface_mesh_spline_conversion/internal/patches/smooth_correspondence.h>
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace internal = CGAL::Surface_mesh_spline_conversion::internal;
@@ -151,6 +153,118 @@ void test_feet_in_boundary_quads(const Input& input)
   }
 }
 
+double squared_distance_from_mesh(const Point& p, const Mesh& mesh)
+{
+  double result = std::numeric_limits<double>::infinity();
+  for(Mesh::Face_index f : mesh.faces())
+  {
+    std::vector<Point> corners;
+    for(Mesh::Vertex_index v : vertices_around_face(halfedge(f, mesh), mesh))
+      corners.push_back(mesh.point(v));
+    result = (std::min)(result, CGAL::squared_distance(
+      p, Kernel::Triangle_3(corners[0], corners[1], corners[2])));
+  }
+  return result;
+}
+
+double squared_distance_from_boundary(const Point& p, const Mesh& mesh)
+{
+  double result = std::numeric_limits<double>::infinity();
+  for(Mesh::Edge_index e : mesh.edges())
+    if(mesh.is_border(e))
+      result = (std::min)(result, CGAL::squared_distance(
+        p, Kernel::Segment_3(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1)))));
+  return result;
+}
+
+// a plane over the unit square with a narrow ridge at x = 25/48, between the vertices of a mesh with
+// 24 columns: the gaps of the edges there are large, all others vanish
+Surface ridge(double height)
+{
+  auto bell = [height](double a, int i)
+  {
+    constexpr double width = 0.005;
+    const double x = (a - 25. / 48) / width, e = height * std::exp(-x * x / 2);
+    return i == 0 ? e : (i == 1 ? -x * e / width : (x * x - 1) * e / (width * width));
+  };
+  Surface s;
+  s.point = [bell](double a, double b) { return Point(a, b, bell(a, 0)); };
+  s.derivative = [bell](double a, double b, int i, int j)
+  {
+    return Vector(i == 0 && j == 0 ? a : (i == 1 && j == 0 ? 1 : 0),
+                  i == 0 && j == 0 ? b : (i == 0 && j == 1 ? 1 : 0), j == 0 ? bell(a, i) : 0);
+  };
+  return s;
+}
+
+// parameter lines that are inclined by up to 70 degrees along the lower and upper side
+std::array<double, 2> inclined(double a, double b)
+{
+  const double pi = CGAL_PI;
+  return {{a + 0.9 * std::sin(3 * pi * b) * std::sin(pi * a) / pi, b}};
+}
+
+// A gap does not reach to points whose nearest edge of the boundary is farther along than two edges,
+// where measure_deviation() does not tolerate it.
+void test_single_gap()
+{
+  constexpr double height = 0.02, column = 1. / 24, negligible = 0.5e-3;
+  const Input input(ridge(height), 2, 2, 12, inclined);
+  test_sides(input);
+  std::size_t displaced = 0, inclined_places = 0;
+  for(std::size_t q = 0; q < 2; ++q)
+    for(double u = 1. / 128; u < 1; u += 1. / 64)
+      for(double v = 1. / 128; v < 0.5; v += 1. / 128)
+      {
+        const Point p = input.target().point(q, u, v);
+        const double to_side = (std::min)({p.x(), 1 - p.x(), 1 - p.y()});
+        const bool is_near_gap
+          = p.y() <= to_side && std::abs(p.x() - 25. / 48) < 2.5 * column + 1e-9;
+        displaced += is_near_gap && p.z() > height / 10 ? 1 : 0;
+        const double x = (double(q) + u) / 2;
+        inclined_places += !is_near_gap && std::abs(x - 25. / 48) < column / 2 ? 1 : 0;
+        assert(is_near_gap || std::abs(p.z()) < negligible * input.network().diameter() + 1e-6);
+      }
+  assert(displaced > 10 && inclined_places > 10);
+}
+
+double mean_edge_length_of_faces(const Mesh& mesh)
+{
+  double sum = 0;
+  for(Mesh::Halfedge_index h : mesh.halfedges())
+    if(!mesh.is_border(h))
+      sum += distance(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)));
+  return sum / (3. * mesh.number_of_faces());
+}
+
+// In a quad that is much wider than the edges of the mesh, the gap between curve and chord does not
+// reach farther than the three edges within which measure_deviation() tolerates it.
+void test_wide_boundary_quads(const Input& input)
+{
+  const Target& target = input.target();
+  const double band = 3 * mean_edge_length_of_faces(input.mesh());
+  std::size_t beyond = 0, displaced = 0;
+  for(std::size_t q = 0; q < input.layout().number_of_quads(); ++q)
+    for(double u = 1. / 64; u < 1; u += 1. / 32)
+      for(double v = 1. / 64; v < 1; v += 1. / 32)
+      {
+        assert(target.is_boundary_quad(q));
+        const Point p = target.point(q, u, v);
+        const double d = std::sqrt(squared_distance_from_mesh(p, input.mesh()));
+        if(std::sqrt(squared_distance_from_boundary(p, input.mesh())) > 1.001 * band)
+        {
+          assert(target.is_on_mesh(q, u, v) && d < 1e-12);
+          ++beyond;
+        }
+        else if(d > 1e-6)
+        {
+          assert(!target.is_on_mesh(q, u, v));
+          ++displaced;
+        }
+      }
+  assert(beyond > 100 && displaced > 100);
+}
+
 // arc lengths that no smooth curve can follow within the bounds still give a monotone function
 void test_extreme_arc_lengths()
 {
@@ -190,6 +304,14 @@ int main()
   test_sides(Input(height_field(0.3), 4, 1, 5, jittered(4, 1, 0.4)));
   test_sides(Input(torus_band(2, 0.5), 5, 1, 5, jittered(5, 1, 0.4)));
   test_sides(Input(notched_graph(), 6, 3, 5));
+  for(double jitter : {0., 0.4})
+  {
+    const Input wide(height_field(0.3), 2, 2, 12, jittered(2, 2, jitter));
+    test_sides(wide);
+    test_feet_in_boundary_quads(wide);
+    test_wide_boundary_quads(wide);
+  }
+  test_single_gap();
   test_extreme_arc_lengths();
   return 0;
 }

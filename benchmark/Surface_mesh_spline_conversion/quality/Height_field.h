@@ -68,7 +68,7 @@ public:
   FT diameter() const { return std::sqrt(2.); }
   std::size_t number_of_chains() const { return 4; }
   std::size_t number_of_sides(std::size_t) const { return m_n; }
-  bool is_boundary_quad(std::size_t) const { return false; }
+  bool is_on_mesh(std::size_t, double, double) const { return true; }
   FT quad_size(std::size_t) const { return 1 / FT(m_n); }
 
   // there is no mesh

@@ -15,6 +15,7 @@
 #include <CGAL/Surface_mesh_spline_conversion/Quad_layout.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/named_parameters.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/patches/Curved_facets.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/patches/Displacement_reach.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/patches/Layout_boundary.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/patches/Mesh_projection.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/patches/quad_sides.h>
@@ -45,7 +46,9 @@ approximate: a \f$ C^0 \f$ network of patches, one per quad of a layout, that in
 boundary curves and coincides with the mesh in all quads without a boundary side.
 
 A point of a quad with a boundary side is the point of the mesh given by the inverse map of the
-layout plus a displacement that blends the gaps between the curves and the boundary of the mesh.
+layout plus a displacement that blends the gaps between the curves and the boundary of the mesh over
+the width of the quad. It ends earlier where the quad is wider than three mean edge lengths of the
+mesh, or where the gap is larger than those nearby by more than half the tolerance.
 The parameter of a boundary chain runs by one along each quad side. It is related to the arc length
 by a function that is \f$ C^2 \f$ and monotone: the vertices of the layout slide along the curves,
 and the inverse map is warped accordingly in the quads with a boundary side.
@@ -93,6 +96,12 @@ public:
                      `GeomTraits::Point_3` as value type}
       \cgalParamDefault{`boost::get(CGAL::vertex_point, tm)`}
     \cgalParamNEnd
+    \cgalParamNBegin{interior_tolerance}
+      \cgalParamDescription{the distance between surface and mesh that is aimed at, in model units:
+                             half of it does not matter in the blend of the gaps}
+      \cgalParamType{a number type convertible to `double`}
+      \cgalParamDefault{`1e-3` times the diameter of the mesh}
+    \cgalParamNEnd
     \cgalParamNBegin{use_smooth_correspondence}
       \cgalParamDescription{whether the vertices of the layout slide along the curves so that the
                              arc length is a smooth function of the parameter; otherwise it is
@@ -122,6 +131,11 @@ public:
     const auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
                                       get_const_property_map(vertex_point, tm));
     m_mesh = std::make_shared<internal::Mesh_projection>(tm, vpm);
+    m_reach = std::make_shared<internal::Displacement_reach>(
+      tm, vpm, network, m_mesh->mean_edge_length(),
+      negligible_share * CGAL::to_double(choose_parameter(
+        get_parameter(np, internal_np::interior_tolerance),
+        default_relative_tolerance * network.diameter())));
     if(choose_parameter(get_parameter(np, internal_np::use_smooth_target), false))
       m_curved = std::make_shared<internal::Curved_facets>(tm, vpm);
     find_quad_sizes();
@@ -215,6 +229,13 @@ public:
     return smooth_point(place.location) + place.displacement;
   }
 
+  /// returns `true` if the point at the local coordinates `(u,v)` of `quad` lies on the mesh, or on
+  /// its curved triangles, since no curve of the boundary displaces it.
+  bool is_on_mesh(size_type quad, const FT& u, const FT& v) const
+  {
+    return !is_boundary_quad(quad) || place_on_mesh(quad, u, v).displacement == NULL_VECTOR;
+  }
+
   /*!
   returns a point of the patches with no closer one to `p` around it, in the neighbourhood of the
   local coordinates `(u,v)` of `quad`. The search goes from the face of the mesh there over its
@@ -291,6 +312,11 @@ private:
   // foot points are accepted up to this share of the size of a quad away from the target
   static constexpr double largest_move = 0.5;
 
+  // The target may be that share of the tolerance farther from the mesh than the gaps along the
+  // boundary: the rest is left to the fit.
+  static constexpr double negligible_share = 0.5;
+  static constexpr double default_relative_tolerance = 1e-3;
+
   void find_quad_sizes()
   {
     for(size_type q = 0; q < m_layout.number_of_quads(); ++q)
@@ -320,7 +346,8 @@ private:
         {
           if(!m_corner_displacements[q])
             m_corner_displacements[q] = std::make_shared<Corner_displacements>(no_displacements());
-          (*m_corner_displacements[q])[i] = side_displacement(q, i, (*sides)[i], FT(0), FT(0));
+          (*m_corner_displacements[q])[i]
+            = side_effect(q, i, (*sides)[i], FT(0), FT(0), FT(1)).displacement;
         }
     }
   }
@@ -353,24 +380,35 @@ private:
     return FT(m_boundary.slide(side.chain, double(side.index) + CGAL::to_double(t)));
   }
 
-  // returns mu_i(t) of section 2.3 of the paper, for the inverse map warped by `slide`
-  Vector_3 side_displacement(size_type quad, int i, const Quad_side& side, const FT& t,
-                             const FT& slide) const
+  // what a boundary side adds to a point of the mesh
+  struct Side_effect
+  {
+    FT weight = FT(0);
+    Vector_3 displacement = NULL_VECTOR; // mu_i(t) of section 2.3 of the paper
+    Point_3 source = ORIGIN;             // the point of the boundary of the mesh that it displaces
+    double reach = 0;                    // how far from there it acts at most, in model units
+  };
+
+  // returns the effect at the parameter t of a side, for the inverse map warped by `slide`
+  Side_effect side_effect(size_type quad, int i, const Quad_side& side, const FT& t,
+                          const FT& slide, const FT& weight) const
   {
     const std::array<FT, 2> uv = internal::from_side<FT>(i, t + slide, FT(0));
-    return curve_point(side.chain, FT(double(side.index)) + t)
-           - smooth_point(inverse_map_across(quad, uv[0], uv[1]));
+    const typename Layout::Location source = inverse_map_across(quad, uv[0], uv[1]);
+    const FT s = arc_length(side.chain, FT(double(side.index)) + t);
+    return Side_effect{weight, m_network.point(side.chain, s) - smooth_point(source), source.point,
+                       (*m_reach)(side.chain, CGAL::to_double(s))};
   }
 
   // section 2.3 of the paper: the mesh, warped by the slides, plus the blended displacements of
   // all boundary sides. Side i acts on a point with the weight 1 - d, d its distance to the side.
   Mesh_place place_on_mesh(size_type quad, const FT& u, const FT& v) const
   {
-    FT warped_u = u, warped_v = v;
-    Vector_3 displacement(FT(0), FT(0), FT(0));
     const Quad_sides* sides = m_boundary.quad_sides(quad);
     if(sides == nullptr)
-      return Mesh_place{m_layout.inverse_map()(quad, u, v), displacement};
+      return Mesh_place{m_layout.inverse_map()(quad, u, v), NULL_VECTOR};
+    FT warped_u = u, warped_v = v;
+    std::array<Side_effect, 4> effects;
     for(int i = 0; i < 4; ++i)
     {
       const Quad_side& side = (*sides)[i];
@@ -378,14 +416,33 @@ private:
         continue;
       const std::array<FT, 2> td = internal::to_side<FT>(i, u, v);
       const FT weight = FT(1) - td[1], side_slide = slide(side, td[0]);
-      displacement
-        = displacement + weight * side_displacement(quad, i, side, td[0], side_slide);
+      effects[i] = side_effect(quad, i, side, td[0], side_slide, weight);
       const FT move = weight * side_slide;
       (i % 2 == 0 ? warped_u : warped_v) += (i < 2 ? move : -move);
     }
+    const typename Layout::Location location = inverse_map_across(quad, warped_u, warped_v);
+    for(Side_effect& effect : effects)
+      effect.weight = (std::min)(effect.weight, weight_within_reach(effect, location.point));
+    return Mesh_place{location, blended_displacement(quad, effects)};
+  }
+
+  // In wide quads, a displacement ends with its reach.
+  static FT weight_within_reach(const Side_effect& effect, const Point_3& p)
+  {
+    const double distance = std::sqrt(CGAL::to_double(CGAL::squared_distance(effect.source, p)));
+    return distance < effect.reach ? FT(1 - distance / effect.reach) : FT(0);
+  }
+
+  Vector_3 blended_displacement(size_type quad, const std::array<Side_effect, 4>& effects) const
+  {
+    Vector_3 result = NULL_VECTOR;
+    for(const Side_effect& effect : effects)
+      result = result + effect.weight * effect.displacement;
     if(m_corner_displacements[quad])
-      displacement = displacement - blended_corners(*m_corner_displacements[quad], u, v);
-    return Mesh_place{inverse_map_across(quad, warped_u, warped_v), displacement};
+      for(std::size_t i = 0; i < 4; ++i)
+        result = result - (effects[i].weight * effects[(i + 3) & 3].weight)
+                          * (*m_corner_displacements[quad])[i];
+    return result;
   }
 
   // returns the point of the smooth target that belongs to a point of the mesh
@@ -459,13 +516,6 @@ private:
     return Point_3(FT(q.x()), FT(q.y()), FT(q.z())) + displacement;
   }
 
-  static Vector_3 blended_corners(const Corner_displacements& corners, const FT& u, const FT& v)
-  {
-    const FT u0 = FT(1) - u, v0 = FT(1) - v;
-    return (u0 * v0) * corners[0] + (u * v0) * corners[1] + (u * v) * corners[2]
-           + (u0 * v) * corners[3];
-  }
-
   const Layout& m_layout;
   const Network& m_network;
   Layout_boundary m_boundary;
@@ -473,6 +523,7 @@ private:
   std::shared_ptr<const internal::Curved_facets> m_curved; // null without smooth target
   std::vector<FT> m_quad_sizes;
   FT m_mean_quad_size = FT(0);
+  std::shared_ptr<const internal::Displacement_reach> m_reach;
   std::vector<std::shared_ptr<Corner_displacements> > m_corner_displacements;
 };
 

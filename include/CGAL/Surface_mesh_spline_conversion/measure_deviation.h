@@ -61,6 +61,7 @@ struct Deviation
   std::vector<Point_3> normal_violations; ///< where it exceeds one degree: the worst place of each
                                           ///< edge
   std::size_t faces_against_mesh = 0; ///< faces that look the other way than the mesh
+  std::vector<Point_3> folds;         ///< the middle of their polynomial pieces that do
 };
 
 namespace internal {
@@ -95,6 +96,9 @@ void measure_shell(const NURBS_shell_3<K>& shell, const TriangleMesh& tm, const 
   for(const Eigen::Vector3d& p : interior.violations())
     deviation.interior_violations.push_back(point(p));
   deviation.faces_against_mesh = interior.number_of_faces_against_mesh();
+  deviation.folds.clear();
+  for(const Eigen::Vector3d& p : interior.folds())
+    deviation.folds.push_back(point(p));
 
   const Normal_angles angles = normal_angles(shell, LARGEST_ANGLE);
   deviation.normal_angle_maximum = angles.statistics.maximum;

@@ -173,7 +173,8 @@ private:
                  const Quad_layout<Kernel>& layout, Conversion_report& part)
   {
     const Target target(layout, network, component.mesh,
-                        parameters::use_smooth_target(m_options.use_smooth_target));
+                        parameters::use_smooth_target(m_options.use_smooth_target)
+                          .interior_tolerance(m_options.interior_tolerance));
     if(target.has_smooth_target())
       part.interior.target_height = CGAL::to_double(target.smooth_target_height());
     Surface surface(layout);
@@ -223,8 +224,9 @@ private:
         { return measure(surface, component, network, part, deviation); });
       if(round >= maximum_number_of_smoothings)
         deviation.normal_violations.clear();
+      const std::vector<Point_3> rough = rough_places(deviation);
       if(code != Error_code::OK || round == maximum_number_of_improvements
-         || (deviation.interior_violations.empty() && deviation.normal_violations.empty()))
+         || (deviation.interior_violations.empty() && rough.empty()))
       {
         if(code == Error_code::OK && measured == Error_code::OK && m_options.do_fair)
           return make_fair(fitter, surface, component, network, part, deviation);
@@ -233,9 +235,17 @@ private:
       }
       part.message = message;
       code = run("fit_interior", part, [&]()
-        { return fitter.improve(deviation.interior_violations, deviation.normal_violations); });
+        { return fitter.improve(deviation.interior_violations, rough); });
     }
     return code;
+  }
+
+  // where normals do not agree. Faces look the other way than the mesh only if nothing else is wrong:
+  // many a fold ends when the surface comes closer to the mesh.
+  static const std::vector<Point_3>& rough_places(const Deviation<Kernel>& deviation)
+  {
+    return deviation.interior_violations.empty() && deviation.normal_violations.empty()
+             ? deviation.folds : deviation.normal_violations;
   }
 
   // makes a surface that has met the tolerances fair, so that it still does; `deviation` is that of
@@ -257,9 +267,9 @@ private:
         return code;
       const Error_code measured = run("measure_deviation", part, [&]()
         { return measure(surface, component, network, part, deviation); });
+      const std::vector<Point_3>& rough = rough_places(deviation);
       places = deviation.interior_violations;
-      places.insert(places.end(), deviation.normal_violations.begin(),
-                    deviation.normal_violations.end());
+      places.insert(places.end(), rough.begin(), rough.end());
       if(places.empty() && measured == Error_code::OK)
         return code;
     }

@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
+#include <CGAL/Surface_mesh_spline_conversion/internal/boundary_band.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/Interior_deviation.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/Mesh_distance.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/bezier_pieces.h>
@@ -115,7 +116,7 @@ private:
     double radius = 0, gap;
     for(const Eigen::Vector3d& p : piece.points)
       radius = (std::max)(radius, (p - center).norm());
-    const double band = Interior_deviation::BAND * m_mesh.mean_edge_length();
+    const double band = boundary_band * m_mesh.mean_edge_length();
     const double boundary_distance = m_mesh.boundary_distance(center, gap);
     Part result{0, 0, boundary_distance + radius <= band};
     if(result.is_in_band)

@@ -12,6 +12,7 @@
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
 #include <CGAL/Surface_mesh_spline_conversion/internal/Point_index.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/boundary_band.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/Deviation_statistics.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/Mesh_distance.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/bezier_pieces.h>
@@ -42,9 +43,6 @@ namespace internal {
 class Interior_deviation
 {
 public:
-  /// width of the band along the boundary in mean edge lengths
-  static constexpr double BAND = 3;
-
   /// \param bound deviations up to it count as within the tolerance
   /// \param limit larger deviations are violations
   Interior_deviation(const std::vector<Bezier_piece>& pieces, const Mesh_distance& mesh,
@@ -91,6 +89,16 @@ public:
     std::vector<Eigen::Vector3d> result;
     for(const auto& entry : m_violations)
       result.push_back(entry.second.place);
+    return result;
+  }
+
+  /// the middle of each piece that looks against the mesh at most of its samples, of faces that do
+  std::vector<Eigen::Vector3d> folds() const
+  {
+    std::vector<Eigen::Vector3d> result;
+    for(std::size_t i = 0; i < m_pieces.size(); ++i)
+      if(m_piece_facing[i] < 0 && m_facing.at(m_pieces[i].face) < 0)
+        result.push_back(m_pieces[i].point(0.5, 0.5));
     return result;
   }
 
@@ -237,12 +245,14 @@ private:
       note_violation(part.samples[i].piece, part.deviations[i], part.points[i]);
     }
     m_facing[m_pieces[part.samples.front().piece].face] += part.facing;
+    m_piece_facing.push_back(part.facing);
   }
 
   double excess(const Eigen::Vector3d& p, double distance) const
   {
     double gap;
-    const bool is_inside = m_mesh.boundary_distance(p, gap) > BAND * m_mesh.mean_edge_length();
+    const double band = boundary_band * m_mesh.mean_edge_length();
+    const bool is_inside = m_mesh.boundary_distance(p, gap) > band;
     return is_inside ? distance : (std::max)(0., distance - gap);
   }
 
@@ -432,6 +442,7 @@ private:
   std::vector<double> m_deviations;
   std::vector<char> m_is_peak;
   std::map<std::size_t, long> m_facing; // by face
+  std::vector<long> m_piece_facing;
   std::map<std::size_t, Violation> m_violations; // by piece
   Deviation_statistics m_statistics;
 };

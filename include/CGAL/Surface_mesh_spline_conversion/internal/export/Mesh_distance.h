@@ -12,6 +12,7 @@
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
 #include <CGAL/Surface_mesh_spline_conversion/internal/compatibility.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/curves/chord_gaps.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/bezier_pieces.h>
 
 #include <CGAL/AABB_segment_primitive.h>
@@ -114,10 +115,6 @@ public:
   }
 
 private:
-  // a quad of the layout may span a few edges
-  static constexpr std::size_t NEIGHBORS_WITH_COMMON_GAP = 2;
-  static constexpr int SAMPLES_OF_AN_EDGE = 16;
-
   static Kernel::Point_3 point(const Eigen::Vector3d& p)
   {
     return Kernel::Point_3(p.x(), p.y(), p.z());
@@ -130,38 +127,12 @@ private:
     std::vector<double> gaps;
     for(auto h : loop)
     {
-      const Eigen::Vector3d a = to_eigen(get(vpm, source(h, tm)));
-      const Eigen::Vector3d b = to_eigen(get(vpm, target(h, tm)));
-      m_segments.emplace_back(point(a), point(b));
-      gaps.push_back(chord_gap(network, h, a, b - a));
+      m_segments.emplace_back(point(to_eigen(get(vpm, source(h, tm)))),
+                              point(to_eigen(get(vpm, target(h, tm)))));
+      gaps.push_back(chord_gap(tm, vpm, network, h));
     }
-    const std::size_t n = gaps.size();
-    for(std::size_t i = 0; i < n; ++i)
-    {
-      double gap = gaps[i];
-      for(std::size_t k = 1; k <= NEIGHBORS_WITH_COMMON_GAP; ++k)
-        gap = (std::max)({gap, gaps[(i + k) % n], gaps[(i + k * (n - 1)) % n]});
-      m_chord_gaps.push_back(gap);
-    }
-  }
-
-  template <typename Network, typename Halfedge>
-  static double chord_gap(const Network& network, Halfedge h, const Eigen::Vector3d& a,
-                          const Eigen::Vector3d& d)
-  {
-    const auto place = network.chain_of(h);
-    const auto& segment = network.curve_segment(place.chain, place.index);
-    const auto point_on_curve = network.traits().construct_point_on_curve_3_object();
-    double gap = 0;
-    for(int i = 1; i < SAMPLES_OF_AN_EDGE; ++i)
-    {
-      const auto t
-        = segment.first + (segment.second - segment.first) * i / double(SAMPLES_OF_AN_EDGE);
-      const Eigen::Vector3d r = to_eigen(point_on_curve(segment.curve, t)) - a;
-      const double s = (std::min)(1., (std::max)(0., r.dot(d) / d.squaredNorm()));
-      gap = (std::max)(gap, (r - s * d).norm());
-    }
-    return gap;
+    const std::vector<double> tolerated = tolerated_gaps(gaps);
+    m_chord_gaps.insert(m_chord_gaps.end(), tolerated.begin(), tolerated.end());
   }
 
   Triangles m_triangles;

@@ -42,7 +42,7 @@ struct Largest_error
 
 // Measures the distance between surface and target at the error samples of all patches, and from
 // the vertices of the mesh to the surface: there the mesh is farthest from a smooth surface.
-// Vertices in quads with a boundary side do not count, as the target differs from the mesh there.
+// Vertices along the boundary do not count where the target differs from the mesh.
 //
 // The distance between points with equal parameters is an upper bound of the distance between a
 // point and the other side; so is the distance before control points have moved, plus the largest
@@ -401,10 +401,7 @@ private:
       }
   }
 
-  bool is_measured(size_type v) const
-  {
-    return m_nearest[v] != none && !m_target.is_boundary_quad(place(m_nearest[v]).quad);
-  }
+  bool is_measured(size_type v) const { return m_nearest[v] != none; }
 
   void bound_vertex(size_type v, const Interior_error* previous)
   {
@@ -424,7 +421,8 @@ private:
     return m_is_parametric ? 0 : m_first_vertices[patch];
   }
 
-  // returns, for each vertex of the mesh, the sample nearest to it in the faces around it
+  // returns, for each vertex of the mesh, the sample nearest to it in the faces around it, unless the
+  // target differs from the mesh there
   std::vector<size_type> nearest_samples() const
   {
     std::vector<size_type> result(m_target.number_of_mesh_vertices(), none);
@@ -443,6 +441,14 @@ private:
         distances[v] = d;
       }
     }
+    for_each_index(result.size(), [&](size_type v)
+    {
+      if(result[v] == none)
+        return;
+      const typename Samples::Place at = place(result[v]);
+      if(!m_target.is_on_mesh(at.quad, at.u, at.v))
+        result[v] = none;
+    });
     return result;
   }
 

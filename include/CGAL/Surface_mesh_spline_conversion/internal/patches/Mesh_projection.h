@@ -16,9 +16,11 @@
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_utils.h>
+#include <CGAL/squared_distance_3.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -71,6 +73,9 @@ public:
       m_neighbors.push_back(neighbors);
       m_triangles.emplace_back(m_vertices[corners[0]], m_vertices[corners[1]],
                                m_vertices[corners[2]]);
+      for(i = 0; i < 3; ++i)
+        m_mean_edge_length += std::sqrt(CGAL::squared_distance(
+          m_vertices[corners[i]], m_vertices[corners[(i + 1) % 3]])) / double(3 * number_of_faces);
     }
   }
 
@@ -125,6 +130,9 @@ public:
 
   std::size_t number_of_faces() const { return m_triangles.size(); }
 
+  // an edge between two faces counts twice
+  double mean_edge_length() const { return m_mean_edge_length; }
+
   // the vertices have the numbers of their positions in `vertices(tm)`
   std::size_t number_of_vertices() const { return m_vertices.size(); }
   const Point_3& vertex(std::size_t i) const { return m_vertices[i]; }
@@ -143,6 +151,7 @@ private:
   std::vector<std::array<std::size_t, 3> > m_corners; // of the faces
   std::vector<std::array<std::size_t, 3> > m_neighbors; // across the edges of the faces
   std::vector<Kernel::Triangle_3> m_triangles;
+  double m_mean_edge_length = 0;
 };
 
 } // namespace internal
