@@ -71,7 +71,8 @@ private:
   static constexpr double POINTS_PER_EDGE = 4.5;
 
   // Kernels and mesh generators have difficulties with slivers: each width by which a face is longer
-  // than so many counts as so many points. It halves the longest faces of d3 and d6, for nothing.
+  // than so many counts as so many points. In two of the test cases this halves the longest faces,
+  // and their files do not become larger.
   static constexpr double LONG_FACE = 16;
   static constexpr double POINTS_PER_WIDTH = 4;
 

@@ -63,8 +63,8 @@ class Cubic_spline_fitter
 public:
   Cubic_spline_fitter(const Cubic_spline_basis& basis, const std::vector<double>& joints,
                       CurveTarget& target)
-    : m_basis(basis), m_joints(joints), m_target(target), m_polygon(basis.size(), Eigen::Vector3d(0, 0, 0)),
-      m_first_free(basis.is_periodic() ? 0 : 2),
+    : m_basis(basis), m_joints(joints), m_target(target),
+      m_polygon(basis.size(), Eigen::Vector3d(0, 0, 0)), m_first_free(basis.is_periodic() ? 0 : 2),
       m_number_of_free(basis.size() - 2 * m_first_free)
   {}
 
