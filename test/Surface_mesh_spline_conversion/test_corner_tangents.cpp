@@ -4,6 +4,7 @@
 #include "block_layouts.h"
 
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh_spline_conversion/Curve_joint.h>
 #include <CGAL/Surface_mesh_spline_conversion/fit_boundary.h>
 #include <CGAL/Surface_mesh_spline_conversion/fit_interior.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/Interior_samples.h>
@@ -76,6 +77,8 @@ struct Bilinear_target
 
   // the curves by their arc length
   const Bilinear_target& network() const { return *this; }
+
+  std::vector<SC::Curve_joint<double> > joints(std::size_t) const { return {}; }
 
   double parameter(std::size_t chain, double s) const
   {

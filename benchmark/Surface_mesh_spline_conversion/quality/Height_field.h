@@ -5,6 +5,8 @@
 
 #include "surface_types.h"
 
+#include <CGAL/Surface_mesh_spline_conversion/Curve_joint.h>
+
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -109,6 +111,10 @@ public:
   FT arc_length(std::size_t, FT t) const { return t; }
   FT speed(std::size_t, FT) const { return 1; }
   const Height_target& network() const { return *this; }
+  std::vector<CGAL::Surface_mesh_spline_conversion::Curve_joint<FT> > joints(std::size_t) const
+  {
+    return {};
+  }
   Point_3 point(std::size_t chain, FT t) const { return curve_point(chain, t); }
   Vector_3 derivative(std::size_t chain, FT t, int order) const
   {

@@ -148,12 +148,12 @@ private:
     if(m_target.number_of_sides(chain) == 0)
       return result;
     const double first = CGAL::to_double(m_target.arc_length(chain, FT(0)));
+    const double last
+      = CGAL::to_double(m_target.arc_length(chain, FT(double(m_target.number_of_sides(chain)))));
     for(const auto& joint : m_target.network().joints(chain))
     {
-      double s = CGAL::to_double(joint.arc_length);
-      if(m_target.is_closed(chain) && s < first)
-        s += CGAL::to_double(m_target.network().length(chain));
-      result.push_back(parameter(chain, s));
+      const double s = CGAL::to_double(joint.arc_length);
+      result.push_back(parameter(chain, s < first ? s + last - first : s)); // on a closed chain
     }
     return result;
   }
