@@ -110,8 +110,8 @@ private:
   // more than the tolerance, the surface is refined, and the fit goes on; so many times at most.
   static constexpr int maximum_number_of_improvements = 8;
 
-  // Where the normals of neighbouring faces do not agree, only the first times count: below the
-  // size of the faces of the mesh the normals have no meaning.
+  // Where the normals of neighbouring faces do not agree, or a face looks the other way than the mesh,
+  // only the first times count: below the size of the faces of the mesh the normals have no meaning.
   static constexpr int maximum_number_of_smoothings = 4;
 
   void describe_input(std::size_t number_of_components)
@@ -222,9 +222,8 @@ private:
       Deviation<Kernel> deviation;
       const Error_code measured = run("measure_deviation", part, [&]()
         { return measure(surface, component, network, part, deviation); });
-      if(round >= maximum_number_of_smoothings)
-        deviation.normal_violations.clear();
-      const std::vector<Point_3> rough = rough_places(deviation);
+      const std::vector<Point_3> rough
+        = round < maximum_number_of_smoothings ? rough_places(deviation) : std::vector<Point_3>();
       if(code != Error_code::OK || round == maximum_number_of_improvements
          || (deviation.interior_violations.empty() && rough.empty()))
       {
@@ -240,12 +239,12 @@ private:
     return code;
   }
 
-  // where normals do not agree. Faces look the other way than the mesh only if nothing else is wrong:
-  // many a fold ends when the surface comes closer to the mesh.
-  static const std::vector<Point_3>& rough_places(const Deviation<Kernel>& deviation)
+  // where the normals do not agree with one another, or with those of the mesh
+  static std::vector<Point_3> rough_places(const Deviation<Kernel>& deviation)
   {
-    return deviation.interior_violations.empty() && deviation.normal_violations.empty()
-             ? deviation.folds : deviation.normal_violations;
+    std::vector<Point_3> result = deviation.normal_violations;
+    result.insert(result.end(), deviation.folds.begin(), deviation.folds.end());
+    return result;
   }
 
   // makes a surface that has met the tolerances fair, so that it still does; `deviation` is that of
@@ -267,9 +266,9 @@ private:
         return code;
       const Error_code measured = run("measure_deviation", part, [&]()
         { return measure(surface, component, network, part, deviation); });
-      const std::vector<Point_3>& rough = rough_places(deviation);
-      places = deviation.interior_violations;
-      places.insert(places.end(), rough.begin(), rough.end());
+      places = rough_places(deviation);
+      places.insert(places.end(), deviation.interior_violations.begin(),
+                    deviation.interior_violations.end());
       if(places.empty() && measured == Error_code::OK)
         return code;
     }
