@@ -165,9 +165,9 @@ int main()
     is_there[0] = true;
     const Grid grid(is_there, is_quartered);
     const Cell_complex complex(grid.cells, grid.neighbors);
-    const std::vector<Cell_rectangle> faces = Cell_merger(complex, equality)(Merging::BEST);
+    const std::vector<Cell_rectangle> faces = Cell_merger(complex, equality)(true);
     check_partition(complex, faces);
-    assert(Cell_merger(complex, equality)(Merging::NONE).size() == grid.cells.size());
+    assert(Cell_merger(complex, equality)(false).size() == grid.cells.size());
     std::vector<char> is_used(WIDTH * HEIGHT, false);
     std::vector<Cell_rectangle> none;
     const double ratio = double(size_of_file(complex, faces))

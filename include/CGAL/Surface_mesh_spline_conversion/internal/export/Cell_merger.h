@@ -29,14 +29,6 @@ namespace CGAL {
 namespace Surface_mesh_spline_conversion {
 namespace internal {
 
-/// how many ways of merging cells to rectangles are tried
-enum class Merging
-{
-  NONE, ///< each cell is one, but beside creases
-  FAST, ///< rectangles grow; all of them together in two ways
-  BEST  ///< then each with those beside it in other ways; this takes many times as long
-};
-
 /// Partition of a cell complex into rectangles of cells that join with C2 continuity, such that the
 /// file of the faces is small. Rectangles grow from one cell after the other; then each is taken
 /// apart together with those beside it, and their cells are put together in other ways, of which the
@@ -51,13 +43,13 @@ public:
     : m_complex(complex), m_grower(complex, tolerance)
   {}
 
-  /// returns the rectangles
-  std::vector<Cell_rectangle> operator()(Merging merging)
+  /// returns the rectangles; without `do_merge`, each cell is one, but beside creases
+  std::vector<Cell_rectangle> operator()(bool do_merge)
   {
     std::vector<std::size_t> cells(m_complex.cells().size());
     std::iota(cells.begin(), cells.end(), std::size_t(0));
     large_first(cells);
-    if(merging == Merging::NONE)
+    if(!do_merge)
       return single_cells(cells);
     const std::vector<Cell_rectangle> by_saving = partition(cells, Growth::BY_SAVING);
     const double least = cost(by_saving, 0);
@@ -67,8 +59,7 @@ public:
       faces = by_saving;
       assign(faces, 0);
     }
-    if(merging == Merging::BEST)
-      improve(faces);
+    improve(faces);
     return faces;
   }
 
