@@ -15,9 +15,6 @@
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/Cell_rectangle.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/Rectangle_grower.h>
 
-#include <CGAL/Random.h>
-#include <CGAL/algorithm.h>
-
 #include <algorithm>
 #include <cstddef>
 #include <map>
@@ -30,9 +27,8 @@ namespace Surface_mesh_spline_conversion {
 namespace internal {
 
 /// Partition of a cell complex into rectangles of cells that join with C2 continuity, such that the
-/// file of the faces is small. Rectangles grow from one cell after the other; then each is taken
-/// apart together with those beside it, and their cells are put together in other ways, of which the
-/// smallest is kept.
+/// file of the faces is small: rectangles grow from one cell after the other, in two ways, of which
+/// the smaller one is kept.
 class Cell_merger
 {
   typedef Rectangle_grower::Growth Growth;
@@ -52,15 +48,9 @@ public:
     if(!do_merge)
       return single_cells(cells);
     const std::vector<Cell_rectangle> by_saving = partition(cells, Growth::BY_SAVING);
-    const double least = cost(by_saving, 0);
-    std::vector<Cell_rectangle> faces = partition(cells, Growth::IN_TURN);
-    if(least < cost(faces, 0))
-    {
-      faces = by_saving;
-      assign(faces, 0);
-    }
-    improve(faces);
-    return faces;
+    const double cost_by_saving = cost(by_saving);
+    const std::vector<Cell_rectangle> in_turn = partition(cells, Growth::IN_TURN);
+    return cost_by_saving < cost(in_turn) ? by_saving : in_turn;
   }
 
 private:
@@ -71,14 +61,9 @@ private:
   static constexpr double POINTS_PER_EDGE = 4.5;
 
   // Kernels and mesh generators have difficulties with slivers: each width by which a face is longer
-  // than so many counts as so many points. In two of the test cases this halves the longest faces,
-  // and their files do not become larger.
+  // than so many counts as so many points.
   static constexpr double LONG_FACE = 16;
   static constexpr double POINTS_PER_WIDTH = 4;
-
-  // more gain little: of d5, four ways save 4 percent of the file, eight 5.5, and twenty 5.7
-  static constexpr int NUMBER_OF_WAYS = 8;
-  static constexpr int MAXIMUM_NUMBER_OF_PASSES = 4;
 
   Cell_rectangle single_cell(std::size_t cell) const
   {
@@ -158,14 +143,6 @@ private:
     }
   }
 
-  // makes the cells of face i members of face `first + i`
-  void assign(const std::vector<Cell_rectangle>& faces, std::size_t first)
-  {
-    for(std::size_t i = 0; i < faces.size(); ++i)
-      for(const Placed_cell& placed : faces[i].cells)
-        m_grower.set_face_of_cell(placed.cell, first + i);
-  }
-
   // of the B-spline, whose knots are simple inside
   double number_of_points(const Cell_rectangle& face) const
   {
@@ -182,9 +159,9 @@ private:
          + POINTS_PER_WIDTH * (std::max)(0., widths - LONG_FACE);
   }
 
-  // The cost of faces with the indices from `first` on, and of their edges: those between two of
-  // them belong to both by halves.
-  double cost(const std::vector<Cell_rectangle>& faces, std::size_t first) const
+  // The cost of the faces the cells are in now, and of their edges: those between two faces belong
+  // to both by halves.
+  double cost(const std::vector<Cell_rectangle>& faces) const
   {
     double sum = 0;
     for(const Cell_rectangle& face : faces)
@@ -198,7 +175,7 @@ private:
           for(const auto& use : m_complex.uses(placed.cell, cell_side(placed, side)))
           {
             const std::size_t other = face_across(use);
-            const double share = (other != NO_INDEX && other >= first) ? 0.5 : 1;
+            const double share = (other != NO_INDEX) ? 0.5 : 1;
             sum += share * ((is_first || other != last) ? POINTS_PER_EDGE + 1 : 1);
             is_first = false;
             last = other;
@@ -212,129 +189,6 @@ private:
   {
     const std::size_t cell = m_complex.across(use).cell;
     return (cell == NO_INDEX) ? NO_INDEX : m_grower.face_of_cell(cell);
-  }
-
-  bool is_mergeable(const Cell_rectangle& face) const
-  {
-    return !face.cells.empty() && m_grower.is_mergeable(face.cells.front().cell);
-  }
-
-  void improve(std::vector<Cell_rectangle>& faces)
-  {
-    CGAL::Random random(0);
-    std::vector<char> is_settled(faces.size(), false);
-    bool has_changed = true;
-    for(int pass = 0; pass < MAXIMUM_NUMBER_OF_PASSES && has_changed; ++pass)
-    {
-      has_changed = false;
-      for(std::size_t f = 0; f < faces.size(); ++f)
-        if(!is_settled[f])
-        {
-          is_settled[f] = true;
-          if(is_mergeable(faces[f]))
-            has_changed = improve(f, faces, is_settled, random) || has_changed;
-        }
-    }
-    faces.erase(std::remove_if(faces.begin(), faces.end(), [](const Cell_rectangle& face)
-                               { return face.cells.empty(); }), faces.end());
-  }
-
-  // puts a face and those beside it together anew; returns `true` if that costs less than before
-  bool improve(std::size_t f, std::vector<Cell_rectangle>& faces, std::vector<char>& is_settled,
-               CGAL::Random& random)
-  {
-    const std::vector<std::size_t> region = face_and_neighbors(f, faces);
-    std::vector<Cell_rectangle> best;
-    std::vector<std::size_t> cells;
-    for(std::size_t i : region)
-    {
-      for(const Placed_cell& placed : faces[i].cells)
-        cells.push_back(placed.cell);
-      best.push_back(std::move(faces[i]));
-      faces[i].cells.clear();
-    }
-    std::sort(cells.begin(), cells.end());
-    large_first(cells);
-    assign(best, faces.size());
-    double least = cost(best, faces.size());
-    bool has_improved = false;
-    for(int way = 0; way < NUMBER_OF_WAYS && region.size() > 1; ++way)
-    {
-      if(way == 2)
-        std::reverse(cells.begin(), cells.end());
-      else if(way > 3)
-        CGAL::cpp98::random_shuffle(cells.begin(), cells.end(), random);
-      std::vector<Cell_rectangle> next = grown(
-        cells, faces.size(), (way & 1) ? Growth::BY_SAVING : Growth::IN_TURN, least);
-      const double c = next.empty() ? least : cost(next, faces.size());
-      if(!(c < least))
-        continue;
-      least = c;
-      best = std::move(next);
-      has_improved = true;
-    }
-    put(best, region, has_improved, faces, is_settled);
-    return has_improved;
-  }
-
-  std::vector<std::size_t> face_and_neighbors(std::size_t f,
-                                              const std::vector<Cell_rectangle>& faces) const
-  {
-    std::vector<std::size_t> result;
-    for(int side = 0; side < 4; ++side)
-      for(const Placed_cell& placed : cells_on_side(m_complex, faces[f], side))
-        for(const auto& use : m_complex.uses(placed.cell, cell_side(placed, side)))
-        {
-          const std::size_t other = face_across(use);
-          if(other != NO_INDEX && is_mergeable(faces[other]))
-            result.push_back(other);
-        }
-    result.push_back(f);
-    std::sort(result.begin(), result.end());
-    result.erase(std::unique(result.begin(), result.end()), result.end());
-    return result;
-  }
-
-  // faces of all given cells with the indices from `first` on; none if they cost more than `limit`
-  std::vector<Cell_rectangle> grown(const std::vector<std::size_t>& cells, std::size_t first,
-                                    Growth growth, double limit)
-  {
-    for(std::size_t c : cells)
-      m_grower.set_face_of_cell(c, NO_INDEX);
-    std::vector<Cell_rectangle> result;
-    double sum = 0;
-    for(std::size_t c : cells)
-    {
-      if(m_grower.face_of_cell(c) != NO_INDEX)
-        continue;
-      result.push_back(m_grower.grown(c, first + result.size(), growth));
-      sum += cost(result.back());
-      if(sum > limit)
-        return std::vector<Cell_rectangle>();
-    }
-    return result;
-  }
-
-  // puts faces in the places of others, or behind all of them
-  void put(std::vector<Cell_rectangle>& from, const std::vector<std::size_t>& places,
-           bool have_changed, std::vector<Cell_rectangle>& faces, std::vector<char>& is_settled)
-  {
-    for(std::size_t i = 0; i < from.size(); ++i)
-    {
-      const std::size_t f = (i < places.size()) ? places[i] : faces.size();
-      if(f == faces.size())
-      {
-        faces.emplace_back();
-        is_settled.push_back(false);
-      }
-      faces[f] = std::move(from[i]);
-      for(const Placed_cell& placed : faces[f].cells)
-        m_grower.set_face_of_cell(placed.cell, f);
-    }
-    if(have_changed)
-      for(std::size_t i = 0; i < from.size() && i < places.size(); ++i)
-        for(std::size_t f : face_and_neighbors(places[i], faces))
-          is_settled[f] = false;
   }
 
   const Cell_complex& m_complex;
