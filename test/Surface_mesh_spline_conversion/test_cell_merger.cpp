@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cstddef>
-#include <iostream>
 #include <limits>
 #include <sstream>
 #include <utility>
@@ -175,8 +174,6 @@ int main()
     largest = (std::max)(largest, ratio);
     sum += ratio;
   }
-  std::cout << "files beside the smallest: mean " << sum / number_of_grids << ", largest " << largest
-            << std::endl;
   assert(sum / number_of_grids < 1.03 && largest < 1.2);
   return 0;
 }

@@ -47,24 +47,12 @@ public:
     large_first(cells);
     if(!do_merge)
       return single_cells(cells);
-    const std::vector<Cell_rectangle> by_saving = partition(cells, Growth::BY_SAVING);
-    const double cost_by_saving = cost(by_saving);
     const std::vector<Cell_rectangle> in_turn = partition(cells, Growth::IN_TURN);
-    return cost_by_saving < cost(in_turn) ? by_saving : in_turn;
+    const std::vector<Cell_rectangle> by_saving = partition(cells, Growth::BY_SAVING);
+    return cost(by_saving) < cost(in_turn) ? by_saving : in_turn;
   }
 
 private:
-  // What a face costs beside its control points, an edge beside those inside it, in records of a
-  // file of the size of a point with a reference to it (93 bytes on average): the entities of the
-  // face; those of the edge, its two uses, and its share of the vertices.
-  static constexpr double POINTS_PER_FACE = 3;
-  static constexpr double POINTS_PER_EDGE = 4.5;
-
-  // Kernels and mesh generators have difficulties with slivers: each width by which a face is longer
-  // than so many counts as so many points.
-  static constexpr double LONG_FACE = 16;
-  static constexpr double POINTS_PER_WIDTH = 4;
-
   Cell_rectangle single_cell(std::size_t cell) const
   {
     return {{{cell, Tick_frame()}}, m_complex.cells()[cell].rectangle};
@@ -143,52 +131,15 @@ private:
     }
   }
 
-  // of the B-spline, whose knots are simple inside
-  double number_of_points(const Cell_rectangle& face) const
-  {
-    return double(breakpoints(m_complex, face, 0).size() + 2)
-         * double(breakpoints(m_complex, face, 1).size() + 2);
-  }
-
-  // without the edges
-  double cost(const Cell_rectangle& face) const
-  {
-    const double a = double(face.bounds.extent(0)), b = double(face.bounds.extent(1));
-    const double widths = (std::max)(a, b) / (std::min)(a, b);
-    return POINTS_PER_FACE + number_of_points(face)
-         + POINTS_PER_WIDTH * (std::max)(0., widths - LONG_FACE);
-  }
-
-  // The cost of the faces the cells are in now, and of their edges: those between two faces belong
-  // to both by halves.
+  // in records of a file of the size of a point; the knots of the B-splines are simple inside
   double cost(const std::vector<Cell_rectangle>& faces) const
   {
     double sum = 0;
     for(const Cell_rectangle& face : faces)
-    {
-      sum += cost(face);
-      for(int side = 0; side < 4; ++side)
-      {
-        bool is_first = true;
-        std::size_t last = NO_INDEX;
-        for(const Placed_cell& placed : cells_on_side(m_complex, face, side))
-          for(const auto& use : m_complex.uses(placed.cell, cell_side(placed, side)))
-          {
-            const std::size_t other = face_across(use);
-            const double share = (other != NO_INDEX) ? 0.5 : 1;
-            sum += share * ((is_first || other != last) ? POINTS_PER_EDGE + 1 : 1);
-            is_first = false;
-            last = other;
-          }
-      }
-    }
+      sum += Rectangle_grower::POINTS_PER_FACE
+           + double(breakpoints(m_complex, face, 0).size() + 2)
+           * double(breakpoints(m_complex, face, 1).size() + 2);
     return sum;
-  }
-
-  std::size_t face_across(const Cell_complex::Segment_use& use) const
-  {
-    const std::size_t cell = m_complex.across(use).cell;
-    return (cell == NO_INDEX) ? NO_INDEX : m_grower.face_of_cell(cell);
   }
 
   const Cell_complex& m_complex;

@@ -43,6 +43,10 @@ public:
     BY_SAVING
   };
 
+  /// what a face costs beside its control points, in records of a file of the size of a point: loop,
+  /// edges with their ends, and vertices
+  static constexpr double POINTS_PER_FACE = 20;
+
   /// two pieces are C2 if their blossoms agree to `tolerance`
   Rectangle_grower(const Cell_complex& complex, double tolerance)
     : m_complex(complex), m_tolerance(tolerance), m_face_of_cell(complex.cells().size(), NO_INDEX),
@@ -94,10 +98,6 @@ public:
 
 private:
   enum Smoothness : char { UNKNOWN, YES, NO };
-
-  // what a face costs beside its control points, in records of a file of the size of a point: loop,
-  // edges with their ends, and vertices
-  static constexpr double POINTS_PER_FACE = 20;
 
   // how often the width of a strip is enlarged to a cell that reaches further
   static constexpr int MAXIMUM_NUMBER_OF_ENLARGEMENTS = 4;
