@@ -74,6 +74,9 @@ public:
     m_elements[patch] = other.m_elements[patch_of_other];
   }
 
+  // takes over all patches of another surface with the same functions
+  void assign(const Bezier_patches& other) { m_elements = other.m_elements; }
+
   // returns the point `(u,v)` of a patch
   Eigen::Vector3d point(size_type patch, const FT& u, const FT& v) const
   {

@@ -291,7 +291,7 @@ private:
                              previous_error.get()));
     if(m_options.error_metric != Error_metric::PARAMETRIC) // the paper knows no weights of patches
       Reweighted_fit<Surface, Target>(m_surface, m_target, *m_samples, is_fixed,
-                                      m_options.tolerance)(m_error, next_accuracy);
+                                      m_options.tolerance)(*m_error, next_accuracy);
     m_largest = m_error->largest();
     return Error_code::OK;
   }

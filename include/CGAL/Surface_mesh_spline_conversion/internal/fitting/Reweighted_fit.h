@@ -17,7 +17,6 @@
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/reproject_targets.h>
 
 #include <cstddef>
-#include <memory>
 #include <vector>
 
 namespace CGAL {
@@ -49,25 +48,25 @@ public:
   {}
 
   // `errors`: of the fit, and then of the best one that was found. `accuracy`: see Interior_system
-  void operator()(std::unique_ptr<Errors>& errors, double accuracy)
+  void operator()(Errors& errors, double accuracy)
   {
     constexpr int number_of_rounds = 4;
     constexpr double largest_share = 0.4; // of violating patches
-    std::vector<Patch_error> violations = errors->errors(m_tolerance, largest_excess * m_tolerance);
+    std::vector<Patch_error> violations = errors.errors(m_tolerance, largest_excess * m_tolerance);
     if(double(violations.size()) > largest_share * double(m_samples.number_of_patches()))
       return;
     std::vector<Point_3> points = control_points();
     size_type fewest = violations.size();
-    std::unique_ptr<Errors> next(new Errors(*errors));
+    Errors next(errors);
     for(int round = 0; round < number_of_rounds && fit(violations, accuracy); ++round)
     {
-      next->update();
-      violations = next->errors(m_tolerance, largest_excess * m_tolerance);
+      next.update();
+      violations = next.errors(m_tolerance, largest_excess * m_tolerance);
       if(violations.size() >= fewest)
         continue;
       fewest = violations.size();
       points = control_points();
-      errors.reset(new Errors(*next));
+      errors.assign(next);
     }
     for(size_type i = 0; i < points.size(); ++i)
       m_surface.set_control_point(i, points[i]);

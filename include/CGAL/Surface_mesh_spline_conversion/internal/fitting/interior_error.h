@@ -107,12 +107,22 @@ public:
     });
   }
 
+  // takes over the bounds and measurements of another error on the same samples
+  void assign(const Interior_error& other)
+  {
+    m_patches.assign(other.m_patches);
+    m_points = other.m_points;
+    m_control_points = other.m_control_points;
+    m_distances = other.m_distances;
+    m_is_bound = other.m_is_bound;
+    m_moves = other.m_moves;
+  }
+
   // returns the largest distance
   Largest_error largest()
   {
     constexpr size_type batch_size = 64; // measured at once
-    std::vector<size_type> order(m_distances.size());
-    std::iota(order.begin(), order.end(), size_type(0));
+    std::vector<size_type> order = possibly_largest();
     const auto is_smaller = [this](size_type a, size_type b) { return comes_before(b, a); };
     std::make_heap(order.begin(), order.end(), is_smaller);
 
@@ -214,6 +224,20 @@ private:
     return m_distances[a] != m_distances[b] ? m_distances[a] > m_distances[b] : a < b;
   }
 
+  // returns all whose bound or distance reaches the largest measured distance
+  std::vector<size_type> possibly_largest() const
+  {
+    double measured = 0;
+    for(size_type i = 0; i < m_distances.size(); ++i)
+      if(!m_is_bound[i])
+        measured = (std::max)(measured, m_distances[i]);
+    std::vector<size_type> result;
+    for(size_type i = 0; i < m_distances.size(); ++i)
+      if(m_distances[i] >= measured)
+        result.push_back(i);
+    return result;
+  }
+
   // Returns the largest distance on a patch, or zero if it is below the tolerance. Begins with the
   // largest bound, so that few others exceed what has been found.
   double error(size_type patch, double tolerance, double enough)
@@ -237,8 +261,10 @@ private:
 
   std::vector<typename Samples::Place> foot_places(const std::vector<Point_3>& points) const
   {
-    const Point_index index(m_points);
     std::vector<typename Samples::Place> result;
+    if(points.empty())
+      return result;
+    const Point_index index(m_points);
     for(const Point_3& point : points)
     {
       const Eigen::Vector3d p = to_eigen(point); // kept by the search
