@@ -11,7 +11,6 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
-#include <memory>
 #include <vector>
 
 using namespace synthetic;
@@ -312,18 +311,18 @@ void test_reweighted_fit()
     before.push_back(surface.control_point(i));
 
   Samples samples(surface, target, nullptr);
-  std::unique_ptr<Errors> errors(new Errors(surface, target, samples, false, nullptr));
-  const double largest = errors->largest().error, tolerance = 0.8 * largest;
-  const std::size_t violations = errors->errors(tolerance).size();
+  Errors errors(surface, target, samples, false, nullptr);
+  const double largest = errors.largest().error, tolerance = 0.8 * largest;
+  const std::size_t violations = errors.errors(tolerance).size();
   assert(violations > 0);
   SC::internal::Reweighted_fit<T_NURCC_surface, synthetic::Target>(
     surface, target, samples, is_fixed, tolerance)(errors, 1e-6);
-  assert(errors->errors(tolerance).size() < violations && errors->largest().error < largest);
+  assert(errors.errors(tolerance).size() < violations && errors.largest().error < largest);
   for(std::size_t i = 0; i < is_fixed.size(); ++i)
     assert(!is_fixed[i] || surface.control_point(i) == before[i]);
   const Samples again(surface, target, nullptr);
   assert(std::abs(Errors(surface, target, again, false, nullptr).largest().error
-                  - errors->largest().error) < 1e-12 * d);
+                  - errors.largest().error) < 1e-12 * d);
 }
 
 struct Reference_surface : Tensor_product_surface
