@@ -79,6 +79,7 @@ struct Bilinear_target
   const Bilinear_target& network() const { return *this; }
 
   std::vector<SC::Curve_joint<double> > joints(std::size_t) const { return {}; }
+  std::vector<double> surface_seams(std::size_t) const { return {}; }
 
   double parameter(std::size_t chain, double s) const
   {
