@@ -9,7 +9,7 @@
 #include <CGAL/Surface_mesh_spline_conversion/fit_interior.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/Interior_samples.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/reproject_targets.h>
-#include <CGAL/Surface_mesh_spline_conversion/internal/fitting/split_corners.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/patches/split_corners.h>
 #include <CGAL/T_NURCC_surface_3.h>
 
 #include <algorithm>
