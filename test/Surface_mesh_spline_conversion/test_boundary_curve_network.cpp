@@ -1,6 +1,7 @@
 // Arc length, its inverse, chains, corners, joints and projection, against closed forms.
 
 #include <CGAL/Surface_mesh_spline_conversion/Boundary_curve_network_3.h>
+#include <CGAL/Surface_mesh_spline_conversion/Curve_on_surface_traits_3.h>
 #include <CGAL/Surface_mesh_spline_conversion/Function_curve_traits_3.h>
 #include <CGAL/Surface_mesh_spline_conversion/NURBS_curve_traits_3.h>
 #include <CGAL/Surface_mesh_spline_conversion/interpolate_boundary_curves.h>
@@ -346,6 +347,37 @@ void test_joints_and_flags()
   assert(source(flagged.chain_halfedges(0)[0], fan.mesh) == fan.vertices[4]);
 }
 
+// A circle on a cylinder passes through the seam, in the midst of an edge or at a vertex, wherever it
+// begins, and in either direction.
+template <typename K, typename Mesh>
+void test_surface_seams()
+{
+  typedef SC::Curve_on_surface_traits_3<K> Traits;
+  typedef typename K::Point_2 Point_2;
+  typedef typename K::Point_3 Point_3;
+  typedef Fan<Mesh, Traits> Fan;
+
+  constexpr int n = 8;
+  typename Traits::Curve_3::Surface cylinder;
+  cylinder.type = cylinder.CYLINDER;
+  cylinder.radius = 2;
+  for(double begin : {-0.3, -0.25 * pi})
+    for(bool is_reversed : {false, true})
+    {
+      const typename Traits::Curve_3 circle(
+        cylinder, 1, {0, 0, 1, 1}, {Point_2(begin, 0), Point_2(begin + 2 * pi, 0)});
+      std::vector<SC::Curve_segment<Traits> > segments;
+      append_segments<Traits>(circle, is_reversed ? 1 : 0, is_reversed ? 0 : 1, n, segments);
+      const Fan fan(Traits(), segments, Point_3(0, 0, 0));
+      const typename Fan::Network network(
+        fan.mesh, boost::make_assoc_property_map(fan.segments), Traits());
+      assert(network.error() == SC::Error_code::OK && network.is_closed(0));
+      assert(network.surface_seams(0).size() == 1);
+      assert(std::abs(network.surface_seams(0)[0]
+                      - (is_reversed ? 4 * pi + 2 * begin : -2 * begin)) < 1e-12);
+    }
+}
+
 // The interior angle of a sector of a disk, convex or concave, at its center.
 template <typename K, typename Mesh>
 void test_corner_angle(double angle)
@@ -505,6 +537,7 @@ void test()
   test_ellipse<K, Mesh>(true);
   test_helix<K, Mesh>();
   test_joints_and_flags<K, Mesh>();
+  test_surface_seams<K, Mesh>();
   for(double angle : {0.8, pi / 2, 2., 3.5, 4.5, 5.5})
     test_corner_angle<K, Mesh>(angle);
   test_interpolation<K, Mesh>();

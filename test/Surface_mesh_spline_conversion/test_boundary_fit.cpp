@@ -345,6 +345,86 @@ void test_surface(const synthetic::Surface& shape, double jitter, SC::Error_metr
          <= 1.05 * std::hypot(b.max_normal_part, b.max_tangential_part));
 }
 
+// a target the curves of which pass through the seams of their surfaces
+class Target_with_seams : public synthetic::Target
+{
+public:
+  struct Network : public synthetic::Network
+  {
+    explicit Network(const synthetic::Network& network) : synthetic::Network(network) {}
+
+    std::vector<double> surface_seams(std::size_t c) const
+    {
+      return {0.123 * length(c), 0.71 * length(c)};
+    }
+  };
+
+  explicit Target_with_seams(const synthetic::Target& target)
+    : synthetic::Target(target), m_network(target.network())
+  {}
+
+  const Network& network() const { return m_network; }
+
+private:
+  Network m_network;
+};
+
+// the distance between a point and the side `i` of a quad, by nested intervals
+double distance_from_side(const synthetic::Tensor_product_surface& surface, std::size_t q, int i,
+                          const synthetic::Point& p)
+{
+  const auto distance = [&](double t)
+  {
+    const auto uv = internal::from_side<double>(i, (std::min)((std::max)(t, 0.), 1.), 0.);
+    return std::sqrt(squared_distance(p, surface.position(surface.patch_at(q, uv[0], uv[1]),
+                                                          uv[0], uv[1])));
+  };
+  double best = 0.5;
+  for(double step = 0.05; step > 1e-9; step /= 4)
+  {
+    const double middle = best;
+    for(int k = -10; k <= 10; ++k)
+      if(distance(middle + k * step) < distance(best))
+        best = middle + k * step;
+  }
+  return distance(best);
+}
+
+// returns the largest distance of the seams from the boundary of the surface fitted to a target,
+// relative to the error of the boundary
+template <typename Target>
+double largest_distance_of_seams(const synthetic::Input& input, const Target& target, int m, int n)
+{
+  synthetic::Tensor_product_surface surface(input.layout(), m, n, false);
+  SC::Conversion_report report;
+  assert(SC::fit_boundary(surface, target, report, CGAL::parameters::boundary_tolerance(1e-4))
+         == SC::Error_code::OK);
+  const Target_with_seams seams(input.target());
+  double result = 0;
+  for(std::size_t c = 0; c < input.network().number_of_chains(); ++c)
+    for(double s : seams.network().surface_seams(c))
+    {
+      double distance = 1;
+      for(std::size_t q = 0; q < input.layout().number_of_quads(); ++q)
+        for(int i = 0; i < 4; ++i)
+          if(input.layout().is_border(q, i))
+            distance = (std::min)(distance, distance_from_side(surface, q, i,
+                                                               input.network().point(c, s)));
+      result = (std::max)(result, distance);
+    }
+  return result / report.boundary.certified_bound;
+}
+
+// The boundary passes through the seams of the surfaces of its curves.
+void test_seams()
+{
+  const int m = 8, n = 5;
+  const synthetic::Input input(synthetic::height_field(0.3), m, n, 4,
+                               synthetic::jittered(m, n, 0.5));
+  assert(largest_distance_of_seams(input, input.target(), m, n) > 0.1);
+  assert(largest_distance_of_seams(input, Target_with_seams(input.target()), m, n) < 1e-3);
+}
+
 int main()
 {
   test_basis(open_knots(5));
@@ -363,6 +443,7 @@ int main()
   test_joints(false);
   test_shape(true);
   test_shape(false);
+  test_seams();
   for(double jitter : {0., 0.5})
     for(auto metric : {SC::Error_metric::PARAMETRIC, SC::Error_metric::REPROJECTED})
     {

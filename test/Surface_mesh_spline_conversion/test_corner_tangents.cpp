@@ -9,7 +9,7 @@
 #include <CGAL/Surface_mesh_spline_conversion/fit_interior.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/Interior_samples.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/reproject_targets.h>
-#include <CGAL/Surface_mesh_spline_conversion/internal/fitting/split_corners.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/patches/split_corners.h>
 #include <CGAL/T_NURCC_surface_3.h>
 
 #include <algorithm>
@@ -79,6 +79,7 @@ struct Bilinear_target
   const Bilinear_target& network() const { return *this; }
 
   std::vector<SC::Curve_joint<double> > joints(std::size_t) const { return {}; }
+  std::vector<double> surface_seams(std::size_t) const { return {}; }
 
   double parameter(std::size_t chain, double s) const
   {

@@ -194,6 +194,56 @@ void test_curves_on_surfaces()
   assert(!Curve::defect(surface, 2, knots, points).empty());
 }
 
+// A curve passes through a seam where an angle is a multiple of the full turn. It may turn back
+// there, or run along the seam.
+template <typename K>
+void test_seams()
+{
+  typedef SC::Elementary_surface_3<K> Surface;
+  typedef SC::Curve_on_surface_traits_3<K> Surface_traits;
+  typedef SC::Variant_curve_traits_3<SC::NURBS_curve_traits_3<K>, Surface_traits> Traits;
+  typedef typename Surface_traits::Curve_3 Curve;
+  typedef typename K::Point_2 Point_2;
+  typedef typename K::Point_3 Point_3;
+
+  Surface surface;
+  surface.radius = 3;
+  surface.minor_radius = 1;
+  const auto seams = [&](typename Surface::Type type, const std::vector<Point_2>& points,
+                         const std::vector<double>& weights)
+  {
+    surface.type = type;
+    const int degree = int(points.size()) - 1;
+    std::vector<double> knots(points.size(), 1);
+    knots.insert(knots.end(), points.size(), 2);
+    const Curve curve(surface, degree, knots, points, weights);
+    const auto result = Traits().construct_seam_parameters_on_curve_3_object()(curve);
+    assert(result == curve.seam_parameters());
+    return result;
+  };
+  const auto is_at = [](const std::vector<double>& parameters, const std::vector<double>& wanted)
+  {
+    for(std::size_t i = 0; i < wanted.size() && parameters.size() == wanted.size(); ++i)
+      if(!(std::abs(parameters[i] - wanted[i]) < 1e-14))
+        return false;
+    return parameters.size() == wanted.size();
+  };
+  const std::vector<Point_2> line = {Point_2(2.5 * pi, 0.5 * pi), Point_2(-0.5 * pi, -0.25 * pi)};
+  assert(seams(Surface::PLANE, line, {}).empty());
+  for(auto type : {Surface::CYLINDER, Surface::CONE, Surface::SPHERE})
+    assert(is_at(seams(type, line, {}), {1 + 1. / 6, 1 + 5. / 6}));
+  assert(is_at(seams(Surface::TORUS, line, {}), {1 + 1. / 6, 1 + 2. / 3, 1 + 5. / 6}));
+  // with the weight 3 at its end, the line is at x where the other one is at x / (3 - 2 x)
+  assert(is_at(seams(Surface::CYLINDER, line, {1, 3}), {1 + 1. / 16, 1 + 5. / 8}));
+  // a parabola that touches the seam, and curves on it up to rounding, or from there
+  assert(seams(Surface::CYLINDER, {Point_2(1, 0), Point_2(-1, 0), Point_2(1, 1)}, {}).empty());
+  assert(seams(Surface::CYLINDER, {Point_2(1e-15, 0), Point_2(-1e-15, 1)}, {}).empty());
+  assert(seams(Surface::CYLINDER, {Point_2(-1e-15, 0), Point_2(2 * pi, 1)}, {}).empty());
+  const typename Traits::Curve_3 plain(
+    SC::NURBS_curve_3<K>::make_line_segment(Point_3(0, 0, 0), Point_3(1, 1, 1)));
+  assert(Traits().construct_seam_parameters_on_curve_3_object()(plain).empty());
+}
+
 template <typename K>
 void test_variant()
 {
@@ -249,6 +299,7 @@ void test()
   test_cubic_with_knots<K>(false);
   test_lines_and_arcs<K>();
   test_curves_on_surfaces<K>();
+  test_seams<K>();
   test_variant<K>();
   test_defects<K>();
 }

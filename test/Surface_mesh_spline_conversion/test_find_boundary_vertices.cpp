@@ -1,11 +1,12 @@
 // Joints of boundary curves become vertices of the shell: a square with joints on its sides, and a
-// disk whose circle has a seam.
+// disk whose circle has a seam, or lies on a cylinder that has one.
 #include "block_layouts.h"
 #include "shell_checks.h"
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_spline_conversion/Boundary_curve_network_3.h>
+#include <CGAL/Surface_mesh_spline_conversion/Curve_on_surface_traits_3.h>
 #include <CGAL/Surface_mesh_spline_conversion/extract_NURBS_faces.h>
 #include <CGAL/Surface_mesh_spline_conversion/find_boundary_vertices.h>
 
@@ -19,16 +20,19 @@ typedef SMSC::NURBS_curve_traits_3<K> Traits;
 typedef SMSC::Boundary_curve_network_3<Mesh, Traits> Network;
 typedef SMSC::NURBS_shell_3<K> Shell;
 
-// a fan round the origin; a curve of its own for each edge
-struct Fan
+// a fan round the origin
+template <typename CurveTraits>
+struct Fan_of
 {
   Mesh mesh;
-  Traits traits;
-  Mesh::Property_map<Mesh::Halfedge_index, SMSC::Curve_segment<Traits> > curves;
+  CurveTraits traits;
+  Mesh::Property_map<Mesh::Halfedge_index, SMSC::Curve_segment<CurveTraits> > curves;
 
-  explicit Fan(const std::vector<Point_3>& points)
+  // `segment(i)`: the curve of edge `i`
+  template <typename Segment>
+  Fan_of(const std::vector<Point_3>& points, const Segment& segment)
   {
-    curves = mesh.add_property_map<Mesh::Halfedge_index, SMSC::Curve_segment<Traits> >(
+    curves = mesh.add_property_map<Mesh::Halfedge_index, SMSC::Curve_segment<CurveTraits> >(
       "h:curve").first;
     const Mesh::Vertex_index center = mesh.add_vertex(Point_3(0, 0, 0));
     std::vector<Mesh::Vertex_index> v;
@@ -38,10 +42,19 @@ struct Fan
     {
       const Mesh::Vertex_index w = v[(i + 1) % v.size()];
       mesh.add_face(center, v[i], w);
-      curves[mesh.halfedge(v[i], w)]
-        = {Traits::Curve_3::make_line_segment(mesh.point(v[i]), mesh.point(w)), 0, 1};
+      curves[mesh.halfedge(v[i], w)] = segment(i);
     }
   }
+};
+
+// a curve of its own for each edge
+struct Fan : public Fan_of<Traits>
+{
+  explicit Fan(const std::vector<Point_3>& points)
+    : Fan_of<Traits>(points, [&](std::size_t i)
+        { return SMSC::Curve_segment<Traits>{Traits::Curve_3::make_line_segment(
+                   points[i], points[(i + 1) % points.size()]), 0, 1}; })
+  {}
 };
 
 bool is_vertex(const Shell& shell, const Point_3& p, double distance)
@@ -121,6 +134,18 @@ void test_places_of_joints()
   }
 }
 
+// a surface whose boundary is a circle up to 0.05 only
+CGAL::T_NURCC_surface_3<K> disk()
+{
+  return CGAL::T_NURCC_surface_3<K>(block_layout<K>(
+    ring_blocks(), 4, [](double x, double y, double)
+    {
+      const double length = std::hypot(x, y) + 1e-300;
+      const double size = (std::max)(std::abs(x), std::abs(y));
+      return Point_3(x * size / length, y * size / length, 0);
+    }));
+}
+
 // A closed chain: the seam is a vertex, and intervals run over it.
 void test_disk()
 {
@@ -142,14 +167,7 @@ void test_disk()
     }
   const Network network(fan.mesh, fan.curves, fan.traits);
   assert(network.error() == SMSC::Error_code::OK && network.is_closed(0));
-  // a surface whose boundary is a circle up to 0.05 only
-  const CGAL::T_NURCC_surface_3<K> surface(block_layout<K>(
-    ring_blocks(), 4, [](double x, double y, double)
-    {
-      const double length = std::hypot(x, y) + 1e-300;
-      const double size = (std::max)(std::abs(x), std::abs(y));
-      return Point_3(x * size / length, y * size / length, 0);
-    }));
+  const CGAL::T_NURCC_surface_3<K> surface = disk();
   const double tolerance = 0.1;
   const auto vertices = SMSC::find_boundary_vertices(surface, network, tolerance);
   assert(vertices.size() == 1);
@@ -165,10 +183,40 @@ void test_disk()
   assert(std::abs(covered - network.length(0)) < 1e-9);
 }
 
+// The circle is a curve on a cylinder, whose seam is in the midst of an edge of the mesh.
+void test_disk_in_cylinder()
+{
+  typedef SMSC::Curve_on_surface_traits_3<K> Surface_traits;
+  constexpr int n = 16;
+  const double begin = 1.1, end = begin + 2 * CGAL_PI;
+  Surface_traits::Curve_3::Surface cylinder;
+  cylinder.type = cylinder.CYLINDER;
+  cylinder.radius = 1;
+  const Surface_traits::Curve_3 circle(cylinder, 1, {begin, begin, end, end},
+                                       {K::Point_2(begin, 0), K::Point_2(end, 0)});
+  const auto parameter = [&](std::size_t i) { return begin + 2 * CGAL_PI * double(i) / n; };
+  std::vector<Point_3> points;
+  for(std::size_t i = 0; i < n; ++i)
+    points.push_back(circle.point(parameter(i)));
+  const Fan_of<Surface_traits> fan(points, [&](std::size_t i)
+    { return SMSC::Curve_segment<Surface_traits>{circle, parameter(i), parameter(i + 1)}; });
+  const SMSC::Boundary_curve_network_3<Mesh, Surface_traits> network(fan.mesh, fan.curves,
+                                                                     fan.traits);
+  assert(network.error() == SMSC::Error_code::OK && network.is_closed(0));
+  const double tolerance = 0.1;
+  const auto vertices = SMSC::find_boundary_vertices(disk(), network, tolerance);
+  assert(vertices.size() == 2);
+  Shell shell;
+  SMSC::extract_NURBS_faces(disk(), shell, CGAL::parameters::boundary_vertices(vertices));
+  assert(is_vertex(shell, Point_3(1, 0, 0), tolerance));
+  assert(is_vertex(shell, circle.point(begin), tolerance));
+}
+
 int main()
 {
   test_square();
   test_places_of_joints();
   test_disk();
+  test_disk_in_cylinder();
   return 0;
 }

@@ -115,6 +115,7 @@ public:
   {
     return {};
   }
+  std::vector<FT> surface_seams(std::size_t) const { return {}; }
   Point_3 point(std::size_t chain, FT t) const { return curve_point(chain, t); }
   Vector_3 derivative(std::size_t chain, FT t, int order) const
   {

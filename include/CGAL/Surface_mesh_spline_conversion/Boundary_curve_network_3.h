@@ -254,6 +254,11 @@ public:
   /// returns the joints of a chain by ascending arc length. Corners are not among them.
   const std::vector<Curve_joint>& joints(size_type c) const { return m_chains[c].joints; }
 
+  /// returns the arc lengths, ascending, at which the curves of a chain pass through the seams of
+  /// their surfaces, if the traits have the functor `Construct_seam_parameters_on_curve_3` of
+  /// `Curve_on_surface_traits_3`.
+  const std::vector<FT>& surface_seams(size_type c) const { return m_chains[c].surface_seams; }
+
   /// @}
   /// \name Geometry of Chains
   /// Arc lengths `s` are clamped to \f$ [0, \mathit{length}] \f$ on a chain that is not closed.

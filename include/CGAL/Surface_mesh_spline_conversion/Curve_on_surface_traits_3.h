@@ -14,10 +14,12 @@
 #include <CGAL/Surface_mesh_spline_conversion/Elementary_surface_3.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/curves/B_spline.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/curves/Curve_member_traits.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/curves/period_crossings.h>
 
 #include <CGAL/Kernel/global_functions.h>
 #include <CGAL/assertions.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -137,6 +139,21 @@ public:
     return length > FT(0) ? normal / length : Vector_3(FT(0), FT(0), FT(0));
   }
 
+  /// returns the parameters, ascending, at which the curve passes through a seam of its surface:
+  /// where a parameter of the surface that is the angle of a full circle is a multiple of
+  /// \f$ 2 \pi \f$. The faces of a CAD model may end there. Passages that turn back within a
+  /// small part of a span are left out.
+  std::vector<FT> seam_parameters() const
+  {
+    CGAL_precondition(!is_empty());
+    std::vector<FT> result;
+    for(int i = 0; i < surface().number_of_periods(); ++i)
+      internal::append_period_crossings([&](const FT& t) { return surface_parameter(t, i); },
+                                        samples(), result);
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
   /// returns `true` if both handles refer to the same data.
   friend bool operator==(const Curve_on_surface_3& a, const Curve_on_surface_3& b)
   {
@@ -162,6 +179,28 @@ private:
 
   template <int order>
   using Coordinates = std::array<internal::Taylor<FT, order>, 3>;
+
+  // coordinate `i` of the curve in the parameters of the surface
+  FT surface_parameter(const FT& t, int i) const
+  {
+    const auto p = m_data->spline.template evaluate<0>(t);
+    return m_data->is_rational ? p[i].c[0] / p[2].c[0] : p[i].c[0];
+  }
+
+  // the ends of the spans of the curve and some parameters between them
+  std::vector<FT> samples() const
+  {
+    constexpr int intervals_per_span = 16;
+    const std::vector<FT>& knots = m_data->spline.knots();
+    std::vector<FT> result(1, first_parameter());
+    for(std::size_t i = 1; i < knots.size(); ++i)
+      if(knots[i - 1] < knots[i] && first_parameter() <= knots[i - 1]
+         && knots[i] <= last_parameter())
+        for(int k = 1; k <= intervals_per_span; ++k)
+          result.push_back(knots[i - 1] + (knots[i] - knots[i - 1])
+                                            * (FT(k) / FT(intervals_per_span)));
+    return result;
+  }
 
   template <int order>
   Coordinates<order> evaluate(const FT& t) const
@@ -189,7 +228,8 @@ private:
 The class `Curve_on_surface_traits_3` makes boundary curves of curves on planes, cylinders, cones,
 spheres and tori. Such a curve lies on its surface exactly, whereas a B-spline curve in space only
 approximates one. `Construct_normal_on_curve_3` returns the unit normal of the surface at a
-parameter of a curve. Evaluation does not allocate memory for degrees below 10.
+parameter of a curve, `Construct_seam_parameters_on_curve_3` the parameters at which a curve passes
+through a seam of its surface. Evaluation does not allocate memory for degrees below 10.
 
 \tparam K a model of `Kernel` with a floating-point number type
 
@@ -204,6 +244,21 @@ class Curve_on_surface_traits_3
 public:
   /// The type of the curves.
   typedef Curve_on_surface_3<K> Curve_3;
+
+#ifndef DOXYGEN_RUNNING
+  struct Construct_seam_parameters_on_curve_3
+  {
+    std::vector<typename K::FT> operator()(const Curve_3& curve) const
+    {
+      return curve.seam_parameters();
+    }
+  };
+
+  Construct_seam_parameters_on_curve_3 construct_seam_parameters_on_curve_3_object() const
+  {
+    return Construct_seam_parameters_on_curve_3();
+  }
+#endif
 };
 
 } // namespace Surface_mesh_spline_conversion

@@ -80,6 +80,10 @@ struct Elementary_surface_3
     return std::string();
   }
 
+  /// returns how many of the parameters, \f$ u \f$ first, are angles of full circles: none for a
+  /// plane, both for a torus, else one.
+  int number_of_periods() const { return type == PLANE ? 0 : type == TORUS ? 2 : 1; }
+
 #ifndef DOXYGEN_RUNNING
   template <int order>
   using Taylor = internal::Taylor<FT, order>;

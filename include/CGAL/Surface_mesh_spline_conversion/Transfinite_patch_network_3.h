@@ -14,6 +14,7 @@
 #include <CGAL/Surface_mesh_spline_conversion/Boundary_curve_network_3.h>
 #include <CGAL/Surface_mesh_spline_conversion/Quad_layout.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/named_parameters.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/patches/Corner_fans.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/patches/Curved_facets.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/patches/Displacement_reach.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/patches/Layout_boundary.h>
@@ -131,6 +132,7 @@ public:
     const auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
                                       get_const_property_map(vertex_point, tm));
     m_mesh = std::make_shared<internal::Mesh_projection>(tm, vpm);
+    m_fans = std::make_shared<internal::Corner_fans<Layout> >(m_layout, *m_mesh);
     m_reach = std::make_shared<internal::Displacement_reach>(
       tm, vpm, network, m_mesh->mean_edge_length(),
       negligible_share * CGAL::to_double(choose_parameter(
@@ -406,7 +408,7 @@ private:
   {
     const Quad_sides* sides = m_boundary.quad_sides(quad);
     if(sides == nullptr)
-      return Mesh_place{m_layout.inverse_map()(quad, u, v), NULL_VECTOR};
+      return Mesh_place{(*m_fans)(m_layout.inverse_map()(quad, u, v)), NULL_VECTOR};
     FT warped_u = u, warped_v = v;
     std::array<Side_effect, 4> effects;
     for(int i = 0; i < 4; ++i)
@@ -420,7 +422,8 @@ private:
       const FT move = weight * side_slide;
       (i % 2 == 0 ? warped_u : warped_v) += (i < 2 ? move : -move);
     }
-    const typename Layout::Location location = inverse_map_across(quad, warped_u, warped_v);
+    const typename Layout::Location location
+      = (*m_fans)(inverse_map_across(quad, warped_u, warped_v));
     for(Side_effect& effect : effects)
       effect.weight = (std::min)(effect.weight, weight_within_reach(effect, location.point));
     return Mesh_place{location, blended_displacement(quad, effects)};
@@ -520,6 +523,7 @@ private:
   const Network& m_network;
   Layout_boundary m_boundary;
   std::shared_ptr<const Mesh_projection> m_mesh;
+  std::shared_ptr<const internal::Corner_fans<Layout> > m_fans;
   std::shared_ptr<const internal::Curved_facets> m_curved; // null without smooth target
   std::vector<FT> m_quad_sizes;
   FT m_mean_quad_size = FT(0);

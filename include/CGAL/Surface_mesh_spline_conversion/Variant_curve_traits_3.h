@@ -11,9 +11,12 @@
 
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
+#include <CGAL/Surface_mesh_spline_conversion/internal/curves/seam_parameters.h>
+
 #include <cstddef>
 #include <tuple>
 #include <variant>
+#include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_spline_conversion {
@@ -110,6 +113,27 @@ public:
     std::tuple<typename FirstTraits::Construct_derivative_on_curve_3,
                typename OtherTraits::Construct_derivative_on_curve_3...> m_functors;
   };
+
+  // A curve of a kind without surface has no seam.
+  class Construct_seam_parameters_on_curve_3
+  {
+  public:
+    explicit Construct_seam_parameters_on_curve_3(const Traits_tuple& traits) : m_traits(traits) {}
+
+    std::vector<FT> operator()(const Curve_3& curve) const { return dispatch<0>(curve); }
+
+  private:
+    template <std::size_t i>
+    std::vector<FT> dispatch(const Curve_3& curve) const
+    {
+      if constexpr(i < sizeof...(OtherTraits))
+        if(curve.index() != i)
+          return dispatch<i + 1>(curve);
+      return internal::seam_parameters(std::get<i>(m_traits), std::get<i>(curve));
+    }
+
+    Traits_tuple m_traits;
+  };
 #endif
 
   Construct_point_on_curve_3 construct_point_on_curve_3_object() const
@@ -121,6 +145,13 @@ public:
   {
     return Construct_derivative_on_curve_3(m_traits);
   }
+
+#ifndef DOXYGEN_RUNNING
+  Construct_seam_parameters_on_curve_3 construct_seam_parameters_on_curve_3_object() const
+  {
+    return Construct_seam_parameters_on_curve_3(m_traits);
+  }
+#endif
 
 private:
   Traits_tuple m_traits;

@@ -232,9 +232,9 @@ typename Network::FT arc_length_near(const Network& network, std::size_t chain,
 /*!
 \ingroup PkgSurfaceMeshSplineConversionRef
 
-finds where the boundary of a surface passes the joints of its curves, the seams of closed curves
-and the corners of the network: there the exported boundary needs vertices, as the neighboring faces
-of a CAD model have them there. The result is meant for the parameter `boundary_vertices` of
+finds where the boundary of a surface passes the joints of its curves, the seams of closed curves,
+the seams of their surfaces and the corners of the network: there the exported boundary needs
+vertices, as the neighboring faces of a CAD model have them there. The result is meant for the parameter `boundary_vertices` of
 `extract_NURBS_faces()`.
 
 \param surface the surface
@@ -243,7 +243,7 @@ of a CAD model have them there. The result is meant for the parameter `boundary_
 \param tolerance in model units: joints that are further from the boundary are left out, and corners
        of patches that are closer to a joint are taken instead of a point beside them
 
-\return at most one vertex for each joint or corner
+\return at most one vertex for each joint, seam or corner
 */
 template <typename K, typename Network>
 std::vector<Boundary_vertex<typename K::FT> >
@@ -268,6 +268,8 @@ find_boundary_vertices(const T_NURCC_surface_3<K>& surface, const Network& netwo
       add(c, FT(0));
     for(const auto& joint : network.joints(c))
       add(c, joint.arc_length);
+    for(const FT& s : network.surface_seams(c))
+      add(c, s);
   }
   return result;
 }

@@ -16,6 +16,7 @@
 #include <CGAL/Surface_mesh_spline_conversion/internal/curves/Arc_length_table.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/curves/Boundary_association_check.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/curves/Oriented_segment.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/curves/seam_parameters.h>
 
 #include <CGAL/boost/graph/properties.h>
 
@@ -44,6 +45,7 @@ struct Boundary_chain
   std::vector<halfedge_descriptor> halfedges;
   std::vector<Curve_segment<Traits> > segments;
   std::vector<Curve_joint<FT> > joints;
+  std::vector<FT> surface_seams; // arc lengths
   Arc_length_table<FT> table;
 };
 
@@ -170,7 +172,24 @@ private:
       if(!append_edge(i, chain))
         return;
     }
+    find_surface_seams(chain);
     chains.push_back(std::move(chain));
+  }
+
+  // finds the arc lengths at which the curves of a chain pass through the seams of their surfaces
+  void find_surface_seams(Chain& chain) const
+  {
+    std::vector<FT> parameters; // of the curve of the edge
+    for(size_type k = 0; k < chain.segments.size(); ++k)
+    {
+      const Curve_segment<Traits>& s = chain.segments[k];
+      if(k == 0 || !(s.curve == chain.segments[k - 1].curve))
+        parameters = seam_parameters(m_traits, s.curve);
+      for(const FT& t : parameters)
+        if((std::min)(s.first, s.second) <= t && t < (std::max)(s.first, s.second))
+          chain.surface_seams.push_back(chain.table.arc_length(k, t));
+    }
+    std::sort(chain.surface_seams.begin(), chain.surface_seams.end());
   }
 
   bool append_edge(size_type i, Chain& chain)

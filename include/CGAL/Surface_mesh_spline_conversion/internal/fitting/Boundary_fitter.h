@@ -141,18 +141,21 @@ private:
     return code;
   }
 
-  // the parameters of the joints of a chain
+  // the parameters of the joints of a chain, and of the seams of its surfaces
   std::vector<double> joints(size_type chain) const
   {
     std::vector<double> result;
     if(m_target.number_of_sides(chain) == 0)
       return result;
+    std::vector<FT> arc_lengths = m_target.network().surface_seams(chain);
+    for(const auto& joint : m_target.network().joints(chain))
+      arc_lengths.push_back(joint.arc_length);
     const double first = CGAL::to_double(m_target.arc_length(chain, FT(0)));
     const double last
       = CGAL::to_double(m_target.arc_length(chain, FT(double(m_target.number_of_sides(chain)))));
-    for(const auto& joint : m_target.network().joints(chain))
+    for(const FT& arc_length : arc_lengths)
     {
-      const double s = CGAL::to_double(joint.arc_length);
+      const double s = CGAL::to_double(arc_length);
       result.push_back(parameter(chain, s < first ? s + last - first : s)); // on a closed chain
     }
     return result;

@@ -11,7 +11,7 @@
 
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
-#include <CGAL/Surface_mesh_spline_conversion/internal/fitting/split_corners.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/patches/split_corners.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/patches/quad_sides.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/to_eigen.h>
 
