@@ -113,7 +113,7 @@ private:
     const auto uv = from_side<FT>(i, FT(1), FT(0));
     const Location corner = layout.inverse_map()(quad, uv[0], uv[1]);
     const auto largest = std::max_element(corner.barycentric.begin(), corner.barycentric.end());
-    Fan fan = make_fan(m_mesh.corners(corner.face)[size_type(largest - corner.barycentric.begin())]);
+    Fan fan = make_fan(corner.face, size_type(largest - corner.barycentric.begin()));
     if(fan.sectors.empty() || !find_line(layout, quad, i, fan)
        || (std::max)(fan.line, fan.angle() - fan.line) <= largest_angle)
       return;
@@ -122,40 +122,46 @@ private:
     m_fans.push_back(fan);
   }
 
-  // collects the faces around a vertex of the boundary
-  Fan make_fan(size_type v) const
+  // collects the faces around a vertex of the boundary, a corner of the given face; none around
+  // other vertices
+  Fan make_fan(size_type face, size_type corner) const
   {
     constexpr double share = 0.5; // then fans of neighboring corners are disjoint
-    std::unordered_map<size_type, Sector> sector_after; // by the vertex behind the corner
-    std::vector<size_type> last;
+    const size_type v = m_mesh.corners(face)[corner];
+    size_type first = face;
+    for(size_type f = before(face, v); f != Mesh_projection::none; f = before(f, v))
+    {
+      if(f == face)
+        return Fan();
+      first = f;
+    }
     Fan fan;
     fan.radius = (std::numeric_limits<double>::max)();
-    for(size_type f = 0; f < m_mesh.number_of_faces(); ++f)
-      for(size_type k = 0; k < 3; ++k)
-        if(m_mesh.corners(f)[k] == v)
-        {
-          fan.center = vertex(f, k);
-          const Vector a = vertex(f, k + 1) - fan.center, b = vertex(f, k + 2) - fan.center;
-          fan.radius = (std::min)(fan.radius, share * a.cross(b).norm() / (b - a).norm());
-          const Vector x = a.normalized(), y = (b - b.dot(x) * x).normalized();
-          sector_after[m_mesh.corners(f)[(k + 1) % 3]]
-            = Sector{f, k, 0, std::atan2(b.dot(y), b.dot(x)), x, y};
-          last.push_back(m_mesh.corners(f)[(k + 2) % 3]);
-        }
-    size_type begin = 0;
-    for(const auto& s : sector_after)
-      if(std::find(last.begin(), last.end(), s.first) == last.end())
-        begin = s.first;
+    fan.center = vertex(face, corner);
     double angle = 0;
-    for(auto it = sector_after.find(begin); it != sector_after.end();
-        it = sector_after.find(m_mesh.corners(it->second.face)[(it->second.corner + 2) % 3]))
+    for(size_type f = first; f != Mesh_projection::none; f = m_mesh.neighbors(f)[number(f, v)])
     {
-      Sector s = it->second;
-      s.begin = angle;
-      angle = s.end += angle;
-      fan.sectors.push_back(s);
+      const size_type k = number(f, v);
+      const Vector a = vertex(f, k + 1) - fan.center, b = vertex(f, k + 2) - fan.center;
+      const Vector x = a.normalized(), y = (b - b.dot(x) * x).normalized();
+      fan.radius = (std::min)(fan.radius, share * a.cross(b).norm() / (b - a).norm());
+      fan.sectors.push_back(Sector{f, k, angle, angle + std::atan2(b.dot(y), b.dot(x)), x, y});
+      angle = fan.angle();
     }
     return fan;
+  }
+
+  // returns the face before another one, counter clockwise around a vertex
+  size_type before(size_type face, size_type v) const
+  {
+    return m_mesh.neighbors(face)[(number(face, v) + 1) % 3];
+  }
+
+  // returns which of the vertices of a face `v` is
+  size_type number(size_type face, size_type v) const
+  {
+    const std::array<size_type, 3>& corners = m_mesh.corners(face);
+    return size_type(std::find(corners.begin(), corners.end(), v) - corners.begin());
   }
 
   // finds the angle of the line that begins at the end of side `i` of `quad`

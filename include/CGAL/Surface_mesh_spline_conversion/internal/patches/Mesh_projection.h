@@ -37,6 +37,8 @@ public:
   typedef Kernel::Point_3 Point_3;
   typedef Kernel::Vector_3 Vector_3;
 
+  static constexpr std::size_t none = static_cast<std::size_t>(-1); // in place of a face
+
   // a point of the mesh; the face is its position in `faces(tm)`
   struct Foot
   {
@@ -138,6 +140,9 @@ public:
   const Point_3& vertex(std::size_t i) const { return m_vertices[i]; }
   const std::array<std::size_t, 3>& corners(std::size_t face) const { return m_corners[face]; }
 
+  // Neighbor `i` is across the edge that ends at corner `i`; it is `none` at the boundary.
+  const std::array<std::size_t, 3>& neighbors(std::size_t face) const { return m_neighbors[face]; }
+
   template <typename Point>
   static Point_3 to_double_point(const Point& p)
   {
@@ -145,11 +150,9 @@ public:
   }
 
 private:
-  static constexpr std::size_t none = static_cast<std::size_t>(-1);
-
   std::vector<Point_3> m_vertices;
   std::vector<std::array<std::size_t, 3> > m_corners; // of the faces
-  std::vector<std::array<std::size_t, 3> > m_neighbors; // across the edges of the faces
+  std::vector<std::array<std::size_t, 3> > m_neighbors;
   std::vector<Kernel::Triangle_3> m_triangles;
   double m_mean_edge_length = 0;
 };
