@@ -124,10 +124,11 @@ Working_location at_vertex(const Working_mesh& mesh, int v)
   return at_corner(h / 3, h % 3);
 }
 
-Harmonic_disk make_disk(const Surface& surface, double radius)
+Harmonic_disk make_disk(const Surface& surface, double radius,
+                        Harmonic_disk::Weights weights = Harmonic_disk::Weights::GEOMETRIC)
 {
   const std::vector<Working_location> centers(1, at_vertex(surface.map.mesh, surface.center));
-  return Harmonic_disk(Map_neighborhood(surface.map, centers, radius), radius);
+  return Harmonic_disk(Map_neighborhood(surface.map, centers, radius), radius, weights);
 }
 
 double cross(const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return a.cross(b)[2]; }
@@ -233,6 +234,43 @@ void check_shift()
   }
 }
 
+// The second motion takes back the first one, at samples of all faces.
+void check_inverse(const Surface& surface, const Harmonic_disk& disk, const Harmonic_disk& back)
+{
+  const Working_mesh& mesh = surface.map.mesh;
+  for(int f = 0; f < mesh.number_of_faces(); ++f)
+    for(const std::array<double, 3>& b : {std::array<double, 3>{{0.6, 0.3, 0.1}},
+                                          std::array<double, 3>{{0.1, 0.2, 0.7}}})
+    {
+      const Working_location at{f, b};
+      assert((point(mesh, back(disk(at))) - point(mesh, at)).norm() < 1e-9);
+    }
+}
+
+// Places far apart, between which `shift()` would fold the disk.
+void check_drag()
+{
+  const double radius = 2.5;
+  const Surface surface = make_surface(4, undisturbed);
+  const Working_location center = at_vertex(surface.map.mesh, surface.center);
+  for(const auto weights : {Harmonic_disk::Weights::GEOMETRIC,
+                            Harmonic_disk::Weights::COMBINATORIAL})
+    for(const Eigen::Vector2d& to : {Eigen::Vector2d(0.7, 0), Eigen::Vector2d(-0.4, 0.6)})
+    {
+      Harmonic_disk folded = make_disk(surface, radius, weights), disk = folded, back = folded;
+      const Eigen::Vector2d from = *disk.place(center);
+      const bool is_embedded = folded.shift(from, to);
+      assert(!is_embedded);
+      const Eigen::Vector3d goal = point(surface.map.mesh, disk.at_place(to));
+      disk.drag(from, to);
+      assert((point(surface.map.mesh, disk(center)) - goal).norm() < 1e-9);
+      assert((goal - surface.map.mesh.points[surface.center]).norm() > 1);
+      back.drag(to, from);
+      check_inverse(surface, disk, back);
+      check_outside(surface, 4, disk, radius);
+    }
+}
+
 // Two disks meet unless they are apart, and a ring is no disk.
 void check_topology()
 {
@@ -284,6 +322,7 @@ int main()
   for(const int k : {3, 4, 5, 6})
     check_map(k);
   check_shift();
+  check_drag();
   check_topology();
   check_scaled_jacobian();
   return 0;

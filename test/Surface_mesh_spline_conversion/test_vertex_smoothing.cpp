@@ -2,7 +2,8 @@
 // are perfect, but which is displaced afterwards, as by the projection from a proxy, such that a
 // quad becomes inverted. By closed forms, without the measures of the library: all corners of all
 // displaced quads turn left after the motion, which fixes the boundary and keeps the orientation;
-// without displacement, nothing moves.
+// without displacement, nothing moves. Nor are quads left inverted where the square is pinched,
+// which short motions cannot repair.
 
 #include "voxel_seamless_maps.h"
 
@@ -25,7 +26,7 @@ using internal::Working_location;
 
 namespace {
 
-const int size = 8, cells_per_quad = 4; // quads per side of the square
+const int size = 8, cells_per_quad = 8; // quads per side of the square
 const int n = size * cells_per_quad;
 const int bits = 20;                    // of the coordinates of the map
 
@@ -107,6 +108,19 @@ Eigen::Vector3d displaced(const Eigen::Vector3d& p)
   return p + 0.98 * share * share * Eigen::Vector3d(1, 1, 0).normalized();
 }
 
+// Shrinks what is around the middle of a side between two inner vertices to a thousandth, both
+// vertices included, and turns it by 2.7: a place much thinner than a quad where two corners
+// happen to lie the wrong way round. One to one: distances from the middle grow throughout.
+Eigen::Vector3d pinched(const Eigen::Vector3d& p)
+{
+  const Eigen::Vector3d middle(size / 2 + 0.5, size / 2, 0);
+  const Eigen::Vector3d d = p - middle;
+  const double share = (std::min)(1., (std::max)(0., (2.3 - d.norm()) / 1.5));
+  const double angle = 2.7 * share, scale = std::pow(1e-3, share);
+  return middle + scale * Eigen::Vector3d(std::cos(angle) * d[0] - std::sin(angle) * d[1],
+                                          std::sin(angle) * d[0] + std::cos(angle) * d[1], 0);
+}
+
 double cross(const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return a[0] * b[1] - a[1] * b[0]; }
 
 // the least sine of the corners of all quads, seen from above
@@ -171,6 +185,26 @@ void test_displaced_quads()
   check_boundary(smoothing);
 }
 
+// short motions in disks around the corners leave quads inverted here
+void test_pinched_quads()
+{
+  Seamless_map map = make_square();
+  for(Eigen::Vector3d& p : map.mesh.points)
+    p = pinched(p);
+  for(int f = 0; f < map.mesh.number_of_faces(); ++f)
+    assert(map.mesh.normal(f)[2] > 0);
+  const Quad_grid grid = make_quads();
+  const auto image = [&](const Working_location& at)
+  { return surface_sample(map.mesh, at); };
+  const Vertex_smoothing smoothing(map, grid, image, [](int q, double u, double v)
+    { return locate(q, u, v); });
+
+  assert(least_sine([&](int q, double u, double v) { return image(locate(q, u, v)).point; }) < 0);
+  assert(least_sine([&](int q, double u, double v)
+    { return image(smoothing(locate(q, u, v))).point; }) > 0.1);
+  check_boundary(smoothing);
+}
+
 void test_undisplaced_quads()
 {
   const Seamless_map map = make_square();
@@ -191,6 +225,7 @@ void test_undisplaced_quads()
 int main()
 {
   test_displaced_quads();
+  test_pinched_quads();
   test_undisplaced_quads();
   return 0;
 }

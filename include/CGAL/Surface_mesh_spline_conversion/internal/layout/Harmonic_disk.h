@@ -39,9 +39,14 @@ namespace internal {
 class Harmonic_disk
 {
 public:
+  // of the harmonic map: cotangents, or the same for all edges, whatever their lengths
+  enum class Weights { GEOMETRIC, COMBINATORIAL };
+
   // The disk is the part of the neighborhood that is not farther away than `radius`, in quads. See
   // `is_valid()`; nothing moves yet.
-  Harmonic_disk(const Map_neighborhood& neighborhood, double radius)
+  Harmonic_disk(const Map_neighborhood& neighborhood, double radius,
+                Weights weights = Weights::GEOMETRIC)
+    : m_weights(weights)
   {
     copy_faces(neighborhood);
     if(!divide_long_edges(radius))
@@ -87,6 +92,10 @@ public:
     m_target.prepare_location();
     return true;
   }
+
+  // The point with one place will move to another place, straight lines from there to the boundary
+  // to such lines. Nothing folds, however far apart these places are.
+  void drag(const Eigen::Vector2d& from, const Eigen::Vector2d& to) { m_drag = Drag{from, to}; }
 
   // where a point is laid flat before it moves; nothing if it does not lie in the disk
   std::optional<Eigen::Vector2d> place(const Working_location& at) const
@@ -139,7 +148,7 @@ public:
   Working_location operator()(const Working_location& at) const
   {
     const std::optional<Eigen::Vector2d> p = place(at);
-    return p ? at_place(*p) : at;
+    return p ? at_place(m_drag ? dragged(*p) : *p) : at;
   }
 
 private:
@@ -149,6 +158,32 @@ private:
     Eigen::Vector3d barycentric;  // in the face of the working mesh
     Eigen::Vector2d position;     // in the map, with a center of the disk as origin, in quads
   };
+
+  struct Drag
+  {
+    Eigen::Vector2d from, to;
+  };
+
+  // the triangle of `from` and a side of the boundary with the point becomes that of `to`
+  Eigen::Vector2d dragged(const Eigen::Vector2d& p) const
+  {
+    double best_minimum = -1;
+    Eigen::Vector2d result = p;
+    for(const int h : m_boundary)
+    {
+      const Eigen::Vector2d& a = m_target.points()[m_mesh.source(h)];
+      const Eigen::Vector2d& b = m_target.points()[m_mesh.target(h)];
+      const double area = cross_product(a - m_drag->from, b - m_drag->from);
+      const Eigen::Vector3d c(cross_product(a - p, b - p) / area,
+                              cross_product(b - p, m_drag->from - p) / area,
+                              cross_product(m_drag->from - p, a - p) / area);
+      if(c.minCoeff() <= best_minimum)
+        continue;
+      best_minimum = c.minCoeff();
+      result = c[0] * m_drag->to + c[1] * a + c[2] * b;
+    }
+    return result;
+  }
 
   // Does the middle of a face lie in another disk?
   bool has_part_in(const Harmonic_disk& other) const
@@ -187,26 +222,19 @@ private:
       m_mesh.triangles.push_back(t);
       m_mesh.parent.push_back(static_cast<std::size_t>(f.face));
     }
-    complete_mesh();
+    complete_mesh([&](int h) { return neighborhood.opposite(h); });
   }
 
-  // Links the halfedges of the triangles.
-  void complete_mesh()
+  // Links the halfedges of the triangles. `opposite`: where the opposite of a halfedge is, or -1
+  template <typename Opposite>
+  void complete_mesh(const Opposite& opposite)
   {
     m_mesh.is_corner.assign(m_mesh.points.size(), 0);
     m_mesh.boundary_piece.assign(m_corners.size(), Working_mesh::Boundary_piece());
-    m_mesh.opposite.assign(m_corners.size(), -1);
+    m_mesh.opposite.resize(m_corners.size());
     m_mesh.vertex_halfedge.assign(m_mesh.points.size(), -1);
-    std::vector<std::array<int, 3> > edges; // smaller and larger end, and a halfedge
     for(int h = 0; h < m_mesh.number_of_halfedges(); ++h)
-    {
-      const std::pair<int, int> ends = std::minmax({m_mesh.source(h), m_mesh.target(h)});
-      edges.push_back({{ends.first, ends.second, h}});
-    }
-    std::sort(edges.begin(), edges.end());
-    for(std::size_t i = 0; i + 1 < edges.size(); ++i)
-      if(edges[i][0] == edges[i + 1][0] && edges[i][1] == edges[i + 1][1])
-        m_mesh.link(edges[i][2], edges[i + 1][2]);
+      m_mesh.opposite[h] = opposite(h);
     for(int h = 0; h < m_mesh.number_of_halfedges(); ++h)
       if(int& first = m_mesh.vertex_halfedge[m_mesh.source(h)]; first < 0 || m_mesh.is_border(h))
         first = h;
@@ -220,10 +248,13 @@ private:
     m_mesh = Working_mesh();
     m_corners.clear();
     std::vector<int> number(mesh.points.size(), -1);
+    std::vector<int> number_of_face(mesh.number_of_faces(), -1), old_face;
     for(int f = 0; f < mesh.number_of_faces(); ++f)
     {
       if(!is_within(&corners[3 * f], radius))
         continue;
+      number_of_face[f] = m_mesh.number_of_faces();
+      old_face.push_back(f);
       m_mesh.triangles.push_back(mesh.triangles[f]);
       m_mesh.parent.push_back(mesh.parent[f]);
       m_corners.insert(m_corners.end(), &corners[3 * f], &corners[3 * f] + 3);
@@ -239,7 +270,11 @@ private:
     for(std::array<int, 3>& t : m_mesh.triangles)
       for(int& v : t)
         v = number[v];
-    complete_mesh();
+    complete_mesh([&](int h)
+    {
+      const int o = mesh.opposite[3 * old_face[h / 3] + h % 3];
+      return o < 0 || number_of_face[o / 3] < 0 ? -1 : 3 * number_of_face[o / 3] + o % 3;
+    });
   }
 
   static bool is_within(const Corner* corners, double radius)
@@ -378,7 +413,10 @@ private:
   bool lay_surface_flat()
   {
     std::vector<Eigen::Vector2d> points = boundary_circle();
-    if(!set_harmonic_coordinates(m_mesh, points, [this](int h) { return surface_corner(h); }))
+    const bool is_laid = m_weights == Weights::GEOMETRIC
+      ? set_harmonic_coordinates(m_mesh, points, [this](int h) { return surface_corner(h); })
+      : set_harmonic_coordinates(m_mesh, points, [](int) { return equilateral_corner(); });
+    if(!is_laid)
       return false;
     m_target = Flat_triangles(m_mesh.triangles, std::move(points));
     return m_target.is_embedded();
@@ -388,6 +426,11 @@ private:
   {
     return std::make_pair(m_mesh.vector(h),
                           Eigen::Vector3d(-m_mesh.vector(Working_mesh::previous(h))));
+  }
+
+  static std::pair<Eigen::Vector2d, Eigen::Vector2d> equilateral_corner()
+  {
+    return std::make_pair(Eigen::Vector2d(1, 0), Eigen::Vector2d(0.5, std::sqrt(0.75)));
   }
 
   std::pair<Eigen::Vector2d, Eigen::Vector2d> map_corner(int h) const
@@ -417,6 +460,8 @@ private:
   // where vertices count as lying on the boundary of the disk, relative to the radius
   static constexpr double snapping = 1e-3;
 
+  Weights m_weights;
+  std::optional<Drag> m_drag;
   bool m_is_valid = false;
   std::vector<int> m_faces;
   Working_mesh m_mesh;                         // the refined disk; parents are faces of the working

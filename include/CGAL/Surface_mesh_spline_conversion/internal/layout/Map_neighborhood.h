@@ -76,6 +76,28 @@ public:
   const Seamless_map& map() const { return m_map; }
   const std::vector<Face>& faces() const { return m_faces; }
 
+  // Halfedge i of face number f has the number 3 f + i. Returns the number of the opposite one, or
+  // -1 if it does not belong to the faces.
+  int opposite(int h) const
+  {
+    const int o = m_map.mesh.opposite[3 * m_faces[h / 3].face + h % 3];
+    const auto entry = o < 0 ? m_position.end() : m_position.find(o / 3);
+    return entry == m_position.end() ? -1 : 3 * static_cast<int>(entry->second) + o % 3;
+  }
+
+  // `true` if some of the boundary is not farther away than the radius
+  bool reaches_border() const
+  {
+    return std::any_of(m_faces.begin(), m_faces.end(), [this](const Face& f)
+    {
+      for(int i = 0; i < 3; ++i)
+        if(m_map.mesh.is_border(3 * f.face + i)
+           && distance_to_segment(f.positions[i], f.positions[(i + 1) % 3]) <= m_radius)
+          return true;
+      return false;
+    });
+  }
+
   // of the origin from a segment
   static double distance_to_segment(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
   {

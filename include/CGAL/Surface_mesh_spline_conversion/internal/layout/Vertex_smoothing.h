@@ -22,9 +22,10 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <limits>
+#include <map>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -46,7 +47,8 @@ inline Surface_sample surface_sample(const Working_mesh& mesh, const Working_loc
 // corner after the other, where these make the worst quad at the corner better. A quad may be as
 // the map wants it, and yet be inverted when it is drawn flat, as where the surface turns much
 // within it, or where the projection from a proxy displaces its corners. Quads are judged where the
-// layout has them, which is not on the proxy.
+// layout has them, which is not on the proxy. If some stay inverted, corners move farther: at a
+// place much thinner than a quad, a short motion in a disk around a corner is next to none.
 class Vertex_smoothing
 {
 public:
@@ -61,15 +63,14 @@ public:
                    const Locate& locate)
     : m_motions_at(map.mesh.number_of_faces()), m_map(&map), m_grid(&grid), m_image(image)
   {
-    const int most_rounds = 8;
     locate_vertices(locate);
-    bool is_changed = true;
-    for(int round = 0; round < most_rounds && is_changed; ++round)
+    improve_all(tolerable_shape, Reach::NEAR);
+    if(has_inverted_quads())
     {
-      is_changed = false;
-      for(int q = 0; q < grid.number_of_quads(); ++q)
-        if(shape_of(q) < tolerable_shape)
-          is_changed = improve(q) || is_changed;
+      m_failures.assign(m_vertices.size(), std::nullopt);
+      improve_all(0, Reach::FAR);
+      if(!has_inverted_quads())
+        improve_all(tolerable_shape, Reach::FAR);
     }
     forget_construction();
   }
@@ -87,7 +88,22 @@ public:
 private:
   // of a quad: see `oriented_scaled_jacobian()`
   static constexpr double tolerable_shape = 0.15;
-  static constexpr std::size_t never = (std::numeric_limits<std::size_t>::max)();
+
+  // disks around the corner and short motions; disks beside it and motions through all of the disk
+  enum class Reach { NEAR, FAR };
+
+  // an attempt to move a vertex that made nothing better, and what it depended on
+  struct Failure
+  {
+    int motions;                                // how many there were
+    std::vector<int> faces, quads;
+  };
+
+  struct Disk_at_middle
+  {
+    Working_location middle;
+    std::shared_ptr<Harmonic_disk> disk;
+  };
 
   template <typename Locate>
   void locate_vertices(const Locate& locate)
@@ -97,7 +113,8 @@ private:
     m_middles.resize(m_grid->number_of_quads());
     m_normals.resize(m_middles.size());
     m_quads_at.resize(m_grid->number_of_vertices());
-    m_motions_at_failure.assign(m_vertices.size(), never);
+    m_failures.assign(m_vertices.size(), std::nullopt);
+    m_last_motion_of.assign(m_middles.size(), -1);
     for(int q = 0; q < m_grid->number_of_quads(); ++q)
     {
       for(int i = 0; i < 4; ++i)
@@ -133,7 +150,9 @@ private:
     m_middles.clear();
     m_normals.clear();
     m_quads_at.clear();
-    m_motions_at_failure.clear();
+    m_failures.clear();
+    m_last_motion_of.clear();
+    m_disks_at_middle.clear();
   }
 
   // the first of the motions from number `i` on with parts of a face, or -1
@@ -144,34 +163,104 @@ private:
     return next == motions.end() ? -1 : *next;
   }
 
+  bool has_inverted_quads() const
+  {
+    for(int q = 0; q < m_grid->number_of_quads(); ++q)
+      if(!(shape_of(q) > 0))
+        return true;
+    return false;
+  }
+
+  void improve_all(double bad_shape, Reach reach)
+  {
+    const int most_rounds = 8;
+    bool is_changed = true;
+    for(int round = 0; round < most_rounds && is_changed; ++round)
+    {
+      is_changed = false;
+      for(int q = 0; q < m_grid->number_of_quads(); ++q)
+        if(shape_of(q) <= bad_shape)
+          is_changed = improve(q, reach) || is_changed;
+    }
+  }
+
   // Moves the inner corners of a quad; `false` if none did.
-  bool improve(int quad)
+  bool improve(int quad, Reach reach)
   {
     bool is_changed = false;
     for(const int v : m_grid->vertices[quad])
       if(!m_grid->is_border_vertex[v])
-        is_changed = improve_vertex(v) || is_changed;
+        is_changed = improve_vertex(v, reach) || is_changed;
     return is_changed;
   }
 
-  bool improve_vertex(int v)
+  bool improve_vertex(int v, Reach reach)
   {
-    // nothing has changed since the last attempt
-    if(m_motions_at_failure[v] == m_motions.size())
+    if(m_failures[v] && is_current(*m_failures[v]))
       return false;
+    Failure failure{static_cast<int>(m_motions.size()), {}, m_quads_at[v]};
+    if(reach == Reach::NEAR ? shift_in_disks(v, failure) : drag_in_disks(v, failure))
+      return true;
+    m_failures[v] = std::move(failure);
+    return false;
+  }
+
+  bool shift_in_disks(int v, Failure& failure)
+  {
     for(const double radius : {0.8, 0.4, 0.2}) // in quads
     {
       const auto disk = std::make_shared<Harmonic_disk>(
         Map_neighborhood(*m_map, std::vector<Working_location>(1, m_vertices[v]), radius), radius);
-      if(disk->is_valid() && improve_vertex(v, disk))
+      if(disk->is_valid() && shift(v, disk, failure))
         return true;
     }
-    m_motions_at_failure[v] = m_motions.size();
     return false;
   }
 
-  // Looks for the best place of the vertex in the disk.
-  bool improve_vertex(int v, const std::shared_ptr<Harmonic_disk>& disk)
+  // in disks around the middles of the quads at the vertex
+  bool drag_in_disks(int v, Failure& failure)
+  {
+    for(const double radius : {0.8, 1.1}) // in quads
+      for(const int q : m_quads_at[v])
+      {
+        const std::shared_ptr<Harmonic_disk> disk = disk_at_middle(q, radius);
+        if(!disk || !disk->is_valid() || !drag(v, disk, failure))
+          continue;
+        m_disks_at_middle.erase(std::make_pair(q, radius));
+        return true;
+      }
+    return false;
+  }
+
+  // Combinatorial weights leave room to what is small: no part of the surface is too thin. Null at
+  // the boundary, which a drag leaves where it is only within rounding.
+  std::shared_ptr<Harmonic_disk> disk_at_middle(int quad, double radius)
+  {
+    const Working_location& middle = m_middles[quad];
+    Disk_at_middle& known = m_disks_at_middle[std::make_pair(quad, radius)];
+    if(known.disk && known.middle.face == middle.face
+       && known.middle.barycentric == middle.barycentric)
+      return known.disk;
+    known = Disk_at_middle{middle, nullptr};
+    const Map_neighborhood neighborhood(*m_map, std::vector<Working_location>(1, middle), radius);
+    if(!neighborhood.reaches_border())
+      known.disk = std::make_shared<Harmonic_disk>(neighborhood, radius,
+                                                   Harmonic_disk::Weights::COMBINATORIAL);
+    return known.disk;
+  }
+
+  // `true` if nothing has moved that the attempt depended on: another one would fail as well
+  bool is_current(const Failure& failure) const
+  {
+    return std::all_of(failure.faces.begin(), failure.faces.end(), [&](int f)
+             { return m_motions_at[f].empty() || m_motions_at[f].back() < failure.motions; })
+           && std::all_of(failure.quads.begin(), failure.quads.end(), [&](int q)
+                { return m_last_motion_of[q] < failure.motions; });
+  }
+
+  // Looks for the best place of the vertex in the disk. Adds to `failure` what a rejection depends
+  // on.
+  bool shift(int v, const std::shared_ptr<Harmonic_disk>& disk, Failure& failure)
   {
     const Working_location old = m_vertices[v];
     const std::optional<Eigen::Vector2d> place = disk->place(old);
@@ -196,11 +285,42 @@ private:
         }
       }
     move_vertex(v, old);
-    return best != from && disk->shift(from, best) && accept(disk);
+    return best != from && disk->shift(from, best) && accept(disk, failure);
+  }
+
+  // Looks for the best place of the vertex in all of the disk that others agree with.
+  bool drag(int v, const std::shared_ptr<Harmonic_disk>& disk, Failure& failure)
+  {
+    const double largest_radius = 0.99;
+    const int directions = 12, most_trials = 6;
+    const Working_location old = m_vertices[v];
+    const std::optional<Eigen::Vector2d> from = disk->place(old);
+    if(!from || from->norm() > largest_radius)
+      return false;
+    const double shape = least_shape(m_quads_at[v]);
+    std::vector<std::pair<double, Eigen::Vector2d> > better;
+    for(const double length : {0.2, 0.5, 0.8})
+      for(int i = 0; i < directions; ++i)
+      {
+        const double angle = 2 * pi * i / directions;
+        const Eigen::Vector2d to = length * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+        move_vertex(v, disk->at_place(to));
+        if(const double moved_shape = least_shape(m_quads_at[v]); moved_shape > shape)
+          better.emplace_back(moved_shape, to);
+      }
+    move_vertex(v, old);
+    std::stable_sort(better.begin(), better.end(), [](const auto& a, const auto& b)
+      { return a.first > b.first; });
+    better.resize((std::min)(better.size(), std::size_t(most_trials)));
+    return std::any_of(better.begin(), better.end(), [&](const auto& candidate)
+    {
+      disk->drag(*from, candidate.second);
+      return accept(disk, failure);
+    });
   }
 
   // Moves all that lies in the disk if this makes the worst of the quads that change better.
-  bool accept(const std::shared_ptr<const Harmonic_disk>& disk)
+  bool accept(const std::shared_ptr<const Harmonic_disk>& disk, Failure& failure)
   {
     const auto is_at = [&](const Working_location& at)
     { return std::binary_search(disk->faces().begin(), disk->faces().end(), at.face); };
@@ -229,8 +349,12 @@ private:
         move_vertex(v, old_vertices[v]);
       for(const int q : middles)
         move_middle(q, old_middles[q]);
+      failure.faces.insert(failure.faces.end(), disk->faces().begin(), disk->faces().end());
+      failure.quads.insert(failure.quads.end(), quads.begin(), quads.end());
       return false;
     }
+    for(const int q : quads)
+      m_last_motion_of[q] = static_cast<int>(m_motions.size());
     for(const int f : disk->faces())
       m_motions_at[f].push_back(static_cast<int>(m_motions.size()));
     m_motions.push_back(disk);
@@ -286,8 +410,9 @@ private:
   std::vector<Working_location> m_middles;      // per quad
   std::vector<Eigen::Vector3d> m_normals;       // per quad, at its middle
   std::vector<std::vector<int> > m_quads_at;    // per vertex of the grid
-  std::vector<std::size_t> m_motions_at_failure; // per vertex of the grid: how many motions there
-                                                 // were when it could not be moved, or `never`
+  std::vector<std::optional<Failure> > m_failures; // per vertex of the grid: the last one, if any
+  std::map<std::pair<int, double>, Disk_at_middle> m_disks_at_middle; // by quad and radius
+  std::vector<int> m_last_motion_of;            // per quad: the last motion of a part of it, or -1
 };
 
 } // namespace internal
