@@ -76,6 +76,9 @@ inline bool has_no_map(Error_code code)
          || code == Error_code::SINGULAR_SYSTEM || code == Error_code::DEGENERATE_MESH;
 }
 
+// of singularities, see `Cross_field`
+constexpr double smallest_spacing = 0.125;
+
 // One rung of the ladder of attempts to find a map on one mesh: see `Cross_field` for the spacing.
 struct Map_attempt
 {
@@ -91,7 +94,7 @@ inline void append_attempts(const Cross_field& field, std::vector<Map_attempt>& 
 {
   if(field.size.size() != field.mesh.points.size() || field.size.empty())
     return;
-  const double smallest_spacing = 0.125, edges_per_spacing = 0.6;
+  const double edges_per_spacing = 0.6;
   const double size = *std::min_element(field.size.begin(), field.size.end());
   const double edge = mean_edge_length(field.mesh);
   double spacing = attempts.front().spacing;
@@ -144,7 +147,9 @@ public:
 
   Error_code run()
   {
-    const Error_code code = find_layout();
+    Error_code code = find_layout();
+    if(code == Error_code::OK)
+      code = replace_crowded_layout();
     return code == Error_code::OK ? replace_inverted_quads() : code;
   }
 
@@ -215,6 +220,25 @@ private:
     return code;
   }
 
+  // Between singularities that have been spread over the features of the shape, large quads may have
+  // to pass the same place many times. The layout with the fewest quads is taken.
+  Error_code replace_crowded_layout()
+  {
+    constexpr double crowd = 2; // times the needed number of quads
+    if(double(m_layout.number_of_quads()) <= crowd * needed_number_of_quads())
+      return Error_code::OK;
+    Error_code code = Error_code::OK;
+    Field_attempt attempt = m_attempt;
+    while(attempt.spacing > smallest_spacing && code == Error_code::OK)
+    {
+      attempt.spacing /= 2;
+      const std::size_t number = m_layout.number_of_quads();
+      bool is_better = false;
+      code = try_instead(attempt, is_better, [&]() { return m_layout.number_of_quads() < number; });
+    }
+    return code;
+  }
+
   // The surface may turn so much within a quad that the flat one is inverted. Quads are made
   // smaller there, on the same mesh, as long as this leaves fewer that are inverted.
   Error_code replace_inverted_quads()
@@ -226,26 +250,49 @@ private:
     Field_attempt attempt = m_attempt;
     attempt.size_shares.assign(faces.size(), 1);
     std::vector<std::size_t> inverted = inverted_quads(m_layout, faces);
-    for(int i = 0; i < most_attempts && !inverted.empty(); ++i)
+    Error_code code = Error_code::OK;
+    bool is_better = true;
+    for(int i = 0; i < most_attempts && is_better && code == Error_code::OK && !inverted.empty(); ++i)
     {
-      const Quad_layout<GeomTraits> best = m_layout;
-      const std::string fallback = m_report.map.fallback;
       halve_shares(inverted, attempt.size_shares);
-      const Error_code code = try_once(attempt, m_most_repairs);
-      if(code != Error_code::OK && !has_no_map(code))
-        return code;
-      const std::vector<std::size_t> remaining
-        = code == Error_code::OK ? inverted_quads(m_layout, faces) : inverted;
-      if(remaining.size() >= inverted.size())
+      code = try_instead(attempt, is_better, [&]()
       {
-        m_layout = best;
-        m_report.map.fallback = fallback;
-        m_report.message = m_message;
-        break;
-      }
-      inverted = remaining;
+        const std::size_t number = inverted.size();
+        inverted = inverted_quads(m_layout, faces);
+        return inverted.size() < number;
+      });
     }
+    return code;
+  }
+
+  // Looks for another layout, and keeps the present one unless there is one that is better.
+  template <typename Is_better>
+  Error_code try_instead(const Field_attempt& attempt, bool& is_better,
+                         const Is_better& is_new_better)
+  {
+    const Quad_layout<GeomTraits> layout = m_layout;
+    const std::string fallback = m_report.map.fallback;
+    const Field_attempt before = m_attempt;
+    const Error_code code = try_once(attempt, m_most_repairs);
+    is_better = code == Error_code::OK && is_new_better();
+    if(is_better || (code != Error_code::OK && !has_no_map(code)))
+      return code;
+    m_layout = layout;
+    m_report.map.fallback = fallback;
+    m_report.message = m_message;
+    m_attempt = before;
     return Error_code::OK;
+  }
+
+  // what quads of the wanted size need, and about four quads around each loop and each half handle
+  double needed_number_of_quads() const
+  {
+    const Working_mesh& mesh = m_field.mesh;
+    double result = 4 * (2 - mesh.euler_characteristic());
+    for(int f = 0; f < mesh.number_of_faces(); ++f)
+      for(const int v : mesh.triangles[f])
+        result += mesh.normal(f).norm() / (6 * m_field.size[v] * m_field.size[v]);
+    return result;
   }
 
   // Halves the shares of the faces where some quads have samples.

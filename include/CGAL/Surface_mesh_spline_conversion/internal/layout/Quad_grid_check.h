@@ -38,7 +38,7 @@ public:
   // returns an empty string or what is wrong
   const char* run() const
   {
-    if(m_quads.euler_characteristic() != euler_characteristic(m_mesh))
+    if(m_quads.euler_characteristic() != m_mesh.euler_characteristic())
       return "the quads do not have the topology of the mesh";
     if(!has_right_valences())
       return "a vertex of the layout has the wrong number of quads";
@@ -52,14 +52,6 @@ public:
 private:
   // pieces of the boundary that follow each other agree to this part of the length of the chain
   static constexpr double rounding = 1e-9;
-
-  static int euler_characteristic(const Working_mesh& mesh)
-  {
-    int edges = 0;
-    for(int h = 0; h < mesh.number_of_halfedges(); ++h)
-      edges += mesh.opposite[h] < h ? 1 : 0;
-    return mesh.number_of_vertices() - edges + mesh.number_of_faces();
-  }
 
   bool has_right_valences() const
   {

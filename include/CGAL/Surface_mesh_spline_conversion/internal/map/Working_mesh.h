@@ -69,6 +69,14 @@ struct Working_mesh
   // normal of a face, of the length of twice its area
   Eigen::Vector3d normal(int f) const { return vector(3 * f).cross(vector(3 * f + 1)); }
 
+  int euler_characteristic() const
+  {
+    int edges = 0;
+    for(int h = 0; h < number_of_halfedges(); ++h)
+      edges += opposite[h] < h ? 1 : 0;
+    return number_of_vertices() - edges + number_of_faces();
+  }
+
   // calls `function(h)` for the halfedges that leave `v`, one per face, counter clockwise
   template <typename Function>
   void for_each_outgoing(int v, Function function) const
