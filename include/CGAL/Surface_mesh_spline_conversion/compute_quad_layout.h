@@ -361,7 +361,9 @@ the quads of this map.
 Where the map fails, singularities are moved, and quads that are larger than the features of the
 shape are given singularities at smaller distances. Where the projection from a proxy turns out to
 have folds, finer proxies are tried; then the mesh itself in place of a proxy, or the other way
-round. The mesh itself comes before finer proxies if it has fewer faces than its proxy. Where quads
+round. The mesh itself comes before finer proxies if it has fewer faces than its proxy. Where there are
+more than twice the quads that size, loops and handles need, smaller distances of the singularities are
+tried as well, and the layout with the fewest quads is kept. Where quads
 of the layout are inverted when they are drawn flat, smaller ones are tried around them; the result
 is kept if fewer are inverted. What cannot fail comes last, if there is no map: the mesh is
 coarsened, a ring of quads is laid along each boundary loop, and each triangle in between is divided
