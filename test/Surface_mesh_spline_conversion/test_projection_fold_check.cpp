@@ -1,6 +1,7 @@
 // Folds of the projection from a proxy are found, whatever their size: the proxy is a square with
 // few triangles, and its original is the same square with bumps of which it is known, or found by
 // many samples, whether the lines of projection meet them once. Unfolding makes the folds vanish.
+// A projection does not leave the bar of a frame where it starts, whatever the faces of the places.
 
 #include "generated_working_meshes.h"
 
@@ -210,6 +211,59 @@ void test_unfolding()
       assert(proxy.unfolded->points[v] == proxy.original->points[v]);
 }
 
+// a square frame of four bars, one unit thick, with sharp edges
+Working_mesh make_frame()
+{
+  const int bars = 4, edges_per_bar = 4, sides = 4;
+  return Test::make_grid(sides, bars * edges_per_bar, true, true, [](double side, double along)
+  {
+    const bool is_outside = side < 0.5 || side > 2.5;
+    const double size = is_outside ? 5 : 4, z = side < 1.5 ? 0 : 1;
+    const int bar = static_cast<int>(along / edges_per_bar) % bars;
+    const double t = 2 * (along / edges_per_bar - std::floor(along / edges_per_bar)) - 1;
+    const Eigen::Vector2d on_first(size, t * size);
+    const Eigen::Vector2d p = Eigen::Rotation2Dd(bar * Test::pi / 2) * on_first;
+    return Eigen::Vector3d(p[0], p[1], z);
+  }, Test::no_hole);
+}
+
+// A mesh with sharp edges as its own proxy: points are their images, also if the faces of the
+// places are turned away from the lines of projection.
+void test_sharp_edges()
+{
+  const Working_mesh mesh = make_frame();
+  const int most_faces_at_vertex = 8, n = 8;
+  for(int k = 0; k < most_faces_at_vertex; ++k)
+  {
+    Proxy_mesh proxy;
+    proxy.original = proxy.unfolded = std::make_shared<const Working_mesh>(mesh);
+    proxy.mesh = mesh;
+    for(int v = 0; v < mesh.number_of_vertices(); ++v)
+    {
+      std::vector<int> outgoing;
+      Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+      mesh.for_each_outgoing(v, [&](int h)
+      {
+        outgoing.push_back(h);
+        normal += mesh.normal(h / 3).normalized();
+      });
+      const int h = outgoing[k % outgoing.size()];
+      proxy.place.push_back(Working_location{h / 3, {{0, 0, 0}}});
+      proxy.place.back().barycentric[h % 3] = 1;
+      proxy.normal.push_back(normal.normalized());
+    }
+    assert(!is_folded(proxy));
+    const internal::Proxy_projection projection(proxy);
+    for(int f = 0; f < mesh.number_of_faces(); ++f)
+      for(int i = 0; i <= n; ++i)
+        for(int j = 0; i + j <= n; ++j)
+        {
+          const Working_location at{f, {{double(n - i - j) / n, double(i) / n, double(j) / n}}};
+          assert((projection.point(projection(at)) - point_at(mesh, at)).norm() < 1e-12);
+        }
+  }
+}
+
 } // namespace
 
 int main()
@@ -218,5 +272,6 @@ int main()
   test_crossing_lines();
   test_noise();
   test_unfolding();
+  test_sharp_edges();
   return 0;
 }

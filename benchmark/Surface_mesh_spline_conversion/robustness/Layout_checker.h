@@ -439,19 +439,28 @@ private:
         check_continuity(q, i);
       }
     }
-    // enough samples to see most triangles
+    // enough samples to see most triangles, and more where the map varies too much for these
     const double triangles_per_quad = double(m_mesh.triangles.size()) / double(number_of_quads());
-    const int n = (std::max)(4, (std::min)(64, int(2 * std::sqrt(triangles_per_quad))));
+    const double sampling_error = 0.1, most_samples = 1e6;
+    int n = (std::max)(4, (std::min)(64, int(2 * std::sqrt(triangles_per_quad))));
+    m_relative_area = sampled_area(n);
+    while(!(std::abs(m_relative_area - 1) < sampling_error)
+          && double(number_of_quads()) * n * n < most_samples)
+      m_relative_area = sampled_area(n *= 2);
+    // a place covered twice, or not at all
+    if(!(std::abs(m_relative_area - 1) < sampling_error))
+      report("area of the images", number(m_relative_area) + " of the area of the mesh");
+  }
+
+  // of the images, relative to the area of the mesh, by n x n samples per quad; checks these
+  double sampled_area(int n)
+  {
     double area = 0;
     for(std::size_t q = 0; q < number_of_quads(); ++q)
       for(int j = 0; j < n; ++j)
         for(int i = 0; i < n; ++i)
           area += check_orientation(q, (i + 0.45) / n, (j + 0.55) / n) / (n * n);
-    m_relative_area = area / m_mesh.area();
-    // a place covered twice, or not at all
-    const double sampling_error = 0.1;
-    if(!(std::abs(m_relative_area - 1) < sampling_error))
-      report("area of the images", number(m_relative_area) + " of the area of the mesh");
+    return area / m_mesh.area();
   }
 
   bool check_location(std::size_t q, const Location& at)

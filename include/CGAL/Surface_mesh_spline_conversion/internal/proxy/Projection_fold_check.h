@@ -135,8 +135,10 @@ private:
       return true;
     ++m_round;
     m_queue.clear();
-    for(const int f : prism.faces)
-      visit(m_walk.project(mean(prism.points), mean(prism.directions), f).face);
+    for(int i = 0; i < 3; ++i)
+      visit(m_walk.project(mean(prism.points), mean(prism.directions),
+                           {{prism.faces[i], prism.faces[(i + 1) % 3], prism.faces[(i + 2) % 3]}},
+                           longest_side(prism)).face);
     int found = 0;
     for(std::size_t i = 0; i < m_queue.size() && found < most_found; ++i)
     {

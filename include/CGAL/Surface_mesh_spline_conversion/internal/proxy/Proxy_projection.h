@@ -17,6 +17,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -37,9 +38,14 @@ public:
     for(int f = 0; f < proxy.mesh.number_of_faces(); ++f)
     {
       m_border.push_back(-1);
+      m_longest_side.push_back(0);
       for(int i = 0; i < 3; ++i)
+      {
+        m_longest_side.back()
+          = (std::max)(m_longest_side.back(), proxy.mesh.vector(3 * f + i).norm());
         if(proxy.mesh.is_border(3 * f + i))
           m_border.back() = i;
+      }
     }
   }
 
@@ -68,7 +74,10 @@ public:
       if(share > 0)
         q += share * boundary_offset(3 * at.face + i, b[j] / share);
     }
-    return m_walk.project(q, n, m_proxy->place[t[nearest]].face);
+    std::array<int, 3> faces;
+    for(int i = 0; i < 3; ++i)
+      faces[i] = m_proxy->place[t[(nearest + i) % 3]].face;
+    return m_walk.project(q, n, faces, m_longest_side[at.face]);
   }
 
   // on the unfolded original
@@ -95,7 +104,8 @@ private:
   const Proxy_mesh* m_proxy;
   Surface_walk m_walk;
   Boundary_chains m_chains;
-  std::vector<int> m_border; // per face: the number of its boundary edge, or -1
+  std::vector<int> m_border;          // per face: the number of its boundary edge, or -1
+  std::vector<double> m_longest_side; // per face: no image lies farther away
 };
 
 } // namespace internal

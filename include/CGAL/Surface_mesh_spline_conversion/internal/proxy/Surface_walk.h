@@ -83,8 +83,34 @@ public:
   // if there is none; the walk starts at `face`
   Working_location project(const Eigen::Vector3d& q, const Eigen::Vector3d& n, int face) const
   {
-    Working_location result;
-    return meet(q, n, face, result) ? result : closest_point(q, face);
+    Meeting meeting;
+    return meet(q, n, face, meeting) ? meeting.location : closest_point(q, face);
+  }
+
+  // The same, but for a point not farther from `q` than `largest_distance`. A walk over a face that
+  // is turned away from the line may go round the surface to another sheet: the walks from the other
+  // faces are tried then, and the nearest of the points taken.
+  Working_location project(const Eigen::Vector3d& q, const Eigen::Vector3d& n,
+                           const std::array<int, 3>& faces, double largest_distance) const
+  {
+    Working_location best{-1, {{0, 0, 0}}};
+    double smallest = largest_distance;
+    for(const int face : faces)
+    {
+      Meeting meeting;
+      if(!meet(q, n, face, meeting))
+        continue;
+      const double distance = (point(meeting.location) - q).norm();
+      if(!(distance <= largest_distance))
+        continue;
+      if(meeting.is_direct)
+        return meeting.location;
+      if(best.face >= 0 && !(distance < smallest))
+        continue;
+      smallest = distance;
+      best = meeting.location;
+    }
+    return best.face >= 0 ? best : closest_point(q, faces[0]);
   }
 
   // the closest point of the faces around `face`
@@ -119,6 +145,13 @@ public:
   }
 
 private:
+  // where a line meets the mesh
+  struct Meeting
+  {
+    Working_location location;
+    bool is_direct = true; // Are no faces on the way there turned away from the line?
+  };
+
   std::array<Eigen::Vector3d, 3> corners(int f) const
   {
     const std::array<int, 3>& t = m_mesh->triangles[f];
@@ -132,8 +165,7 @@ private:
   }
 
   // Walks across the edge that separates the face most clearly from the line.
-  bool meet(const Eigen::Vector3d& q, const Eigen::Vector3d& n, int face,
-            Working_location& result) const
+  bool meet(const Eigen::Vector3d& q, const Eigen::Vector3d& n, int face, Meeting& result) const
   {
     const int most_steps = 1000;
     int entered = -1;
@@ -157,6 +189,7 @@ private:
           exit = i;
         }
       }
+      result.is_direct = result.is_direct && area[0] + area[1] + area[2] > 0;
       if(exit < 0)
       {
         double sum = 0;
@@ -165,8 +198,8 @@ private:
         if(!(sum > 0))
           return false;
         for(int i = 0; i < 3; ++i)
-          result.barycentric[i] = area[(i + 1) % 3] / sum;
-        result.face = face;
+          result.location.barycentric[i] = area[(i + 1) % 3] / sum;
+        result.location.face = face;
         return true;
       }
       entered = m_mesh->opposite[3 * face + exit];
