@@ -132,7 +132,8 @@ inline std::string describe(const Field_attempt& attempt, const Integer_grid_map
 }
 
 // Field, map and quads, by the first attempt that succeeds. Where the projection from a proxy has
-// folds, so would the inverse map: finer proxies are tried. Inverted quads get smaller ones.
+// folds, so would the inverse map: finer proxies are tried. Quads get better shapes, which takes
+// time, only once there is no map with fewer. Inverted quads get smaller ones.
 template <typename TriangleMesh, typename BoundaryCurveNetwork, typename GeomTraits,
           typename Visitor, typename NamedParameters>
 class Layout_ladder
@@ -147,14 +148,16 @@ public:
 
   Error_code run()
   {
-    Error_code code = find_layout();
+    Error_code code = find_map();
     if(code == Error_code::OK)
-      code = replace_crowded_layout();
+      code = replace_crowded_map();
+    if(code == Error_code::OK)
+      code = extract_layout();
     return code == Error_code::OK ? replace_inverted_quads() : code;
   }
 
 private:
-  Error_code find_layout()
+  Error_code find_map()
   {
     Error_code code = try_mesh(Field_attempt());
     const bool has_proxy = m_field.proxy != nullptr;
@@ -205,10 +208,7 @@ private:
   Error_code try_once(const Field_attempt& attempt, int most_repairs)
   {
     m_report.message = m_message;
-    Error_code code = try_to_map(attempt, most_repairs);
-    if(code == Error_code::OK)
-      code = run_stage("quad_layout", m_visitor, m_report, [&]()
-        { return extract_quad_layout(m_map, m_tm, m_network, m_layout, m_np); });
+    const Error_code code = try_to_map(attempt, most_repairs);
     if(code == Error_code::OK)
     {
       m_report.map.fallback = describe(attempt, m_map);
@@ -220,24 +220,39 @@ private:
     return code;
   }
 
+  Error_code extract_layout()
+  {
+    return run_stage("quad_layout", m_visitor, m_report, [&]()
+    {
+      set_mapped_layout(std::move(m_quads), m_map, m_tm, m_layout, m_np);
+      return Error_code::OK;
+    });
+  }
+
   // Between singularities that have been spread over the features of the shape, large quads may have
-  // to pass the same place many times. The layout with the fewest quads is taken.
-  Error_code replace_crowded_layout()
+  // to pass the same place many times. The map with the fewest quads is taken.
+  Error_code replace_crowded_map()
   {
     constexpr double crowd = 2; // times the needed number of quads
-    if(double(m_layout.number_of_quads()) <= crowd * needed_number_of_quads())
+    if(double(number_of_quads()) <= crowd * needed_number_of_quads())
       return Error_code::OK;
     Error_code code = Error_code::OK;
     Field_attempt attempt = m_attempt;
     while(attempt.spacing > smallest_spacing && code == Error_code::OK)
     {
       attempt.spacing /= 2;
-      const std::size_t number = m_layout.number_of_quads();
+      const int number = number_of_quads();
       bool is_better = false;
-      code = try_instead(attempt, is_better, [&]() { return m_layout.number_of_quads() < number; });
+      code = try_instead(attempt, is_better, [&]()
+      {
+        is_better = number_of_quads() < number;
+        return Error_code::OK;
+      });
     }
     return code;
   }
+
+  int number_of_quads() const { return m_quads.quads().number_of_quads(); }
 
   // The surface may turn so much within a quad that the flat one is inverted. Quads are made
   // smaller there, on the same mesh, as long as this leaves fewer that are inverted.
@@ -258,25 +273,33 @@ private:
       code = try_instead(attempt, is_better, [&]()
       {
         const std::size_t number = inverted.size();
+        const Error_code extraction_code = extract_layout();
         inverted = inverted_quads(m_layout, faces);
-        return inverted.size() < number;
+        is_better = inverted.size() < number;
+        return extraction_code;
       });
     }
     return code;
   }
 
-  // Looks for another layout, and keeps the present one unless there is one that is better.
-  template <typename Is_better>
-  Error_code try_instead(const Field_attempt& attempt, bool& is_better,
-                         const Is_better& is_new_better)
+  // Looks for another map, and keeps the present one and its layout unless `judge()` says that the
+  // other one is better.
+  template <typename Judge>
+  Error_code try_instead(const Field_attempt& attempt, bool& is_better, const Judge& judge)
   {
+    const Integer_grid_map map = m_map;
+    const Mapped_quads quads = m_quads;
     const Quad_layout<GeomTraits> layout = m_layout;
     const std::string fallback = m_report.map.fallback;
     const Field_attempt before = m_attempt;
-    const Error_code code = try_once(attempt, m_most_repairs);
-    is_better = code == Error_code::OK && is_new_better();
+    Error_code code = try_once(attempt, m_most_repairs);
+    is_better = false;
+    if(code == Error_code::OK)
+      code = judge();
     if(is_better || (code != Error_code::OK && !has_no_map(code)))
       return code;
+    m_map = map;
+    m_quads = quads;
     m_layout = layout;
     m_report.map.fallback = fallback;
     m_report.message = m_message;
@@ -322,7 +345,10 @@ private:
       return Error_code::NO_QUAD_LAYOUT;
     }
     return run_stage("integer_grid_map", m_visitor, m_report, [&]()
-      { return compute_integer_grid_map(m_field, most_repairs, m_map); });
+    {
+      const Error_code map_code = compute_integer_grid_map(m_field, most_repairs, m_map);
+      return map_code == Error_code::OK ? find_quads(m_map, m_quads) : map_code;
+    });
   }
 
   const TriangleMesh& m_tm;
@@ -334,6 +360,7 @@ private:
   const std::string m_message; // of the report before
   Cross_field m_field;
   Integer_grid_map m_map;
+  Mapped_quads m_quads;        // those of the map until they become the layout
   bool m_is_folded = false;    // the last proxy
   Field_attempt m_attempt;     // the last one that succeeded, and its repairs
   int m_most_repairs = 0;

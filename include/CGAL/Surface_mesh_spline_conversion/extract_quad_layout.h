@@ -130,6 +130,37 @@ void set_layout(Quads quads, const Working_mesh& mesh,
                                                                             input_faces), layout);
 }
 
+// the quads of a map, as they lie in it
+inline Error_code find_quads(const Integer_grid_map& map, Mapped_quads& quads)
+{
+  return *quads.build(map) == 0 ? Error_code::OK : Error_code::NO_QUAD_LAYOUT;
+}
+
+// The layout of the quads of a map, after motions that give them better shapes.
+template <typename TriangleMesh, typename GeomTraits, typename NamedParameters>
+void set_mapped_layout(Mapped_quads quads, const Integer_grid_map& map, const TriangleMesh& tm,
+                       Quad_layout<GeomTraits>& layout, const NamedParameters& np)
+{
+  const auto vpm = parameters::choose_parameter(
+    parameters::get_parameter(np, internal_np::vertex_point),
+    get_const_property_map(vertex_point, tm));
+  const Working_mesh& mesh = map.map.mesh;
+  const auto corners = face_corners(tm, vpm);
+  if(!map.proxy)
+  {
+    quads.smooth(map, [&](const Working_location& at) { return surface_sample(mesh, at); });
+    set_layout(std::move(quads), mesh, corners, layout);
+    return;
+  }
+  const auto image = std::make_shared<const Proxy_image>(mesh, map.proxy);
+  quads.smooth(map, [&](const Working_location& at)
+    { return surface_sample(image->original(), (*image)(at)); });
+  const Quad_grid grid = quads.quads();
+  set_layout(grid, mesh, map.proxy->mesh.number_of_vertices(),
+             std::make_shared<const Proxy_inverse_map<GeomTraits> >(std::move(quads), image,
+                                                                    corners), layout);
+}
+
 } // namespace internal
 
 /*!
@@ -182,33 +213,13 @@ Error_code extract_quad_layout(const Integer_grid_map& map, const TriangleMesh& 
                                Quad_layout<GeomTraits>& layout,
                                const NamedParameters& np = parameters::default_values())
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-
   if(network.error() != Error_code::OK)
     return network.error();
   internal::Mapped_quads quads;
-  if(*quads.build(map) != 0)
-    return Error_code::NO_QUAD_LAYOUT;
-  const auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
-                                    get_const_property_map(vertex_point, tm));
-  const internal::Working_mesh& mesh = map.map.mesh;
-  const auto corners = internal::face_corners(tm, vpm);
-  if(!map.proxy)
-  {
-    quads.smooth(map, [&](const internal::Working_location& at)
-      { return internal::surface_sample(mesh, at); });
-    internal::set_layout(std::move(quads), mesh, corners, layout);
-    return Error_code::OK;
-  }
-  const auto image = std::make_shared<const internal::Proxy_image>(mesh, map.proxy);
-  quads.smooth(map, [&](const internal::Working_location& at)
-    { return internal::surface_sample(image->original(), (*image)(at)); });
-  const internal::Quad_grid grid = quads.quads();
-  internal::set_layout(grid, mesh, map.proxy->mesh.number_of_vertices(),
-                       std::make_shared<const internal::Proxy_inverse_map<GeomTraits> >(
-                         std::move(quads), image, corners), layout);
-  return Error_code::OK;
+  const Error_code code = internal::find_quads(map, quads);
+  if(code == Error_code::OK)
+    internal::set_mapped_layout(std::move(quads), map, tm, layout, np);
+  return code;
 }
 
 } // namespace Surface_mesh_spline_conversion
