@@ -239,6 +239,9 @@ void test_seams()
   assert(seams(Surface::CYLINDER, {Point_2(1, 0), Point_2(-1, 0), Point_2(1, 1)}, {}).empty());
   assert(seams(Surface::CYLINDER, {Point_2(1e-15, 0), Point_2(-1e-15, 1)}, {}).empty());
   assert(seams(Surface::CYLINDER, {Point_2(-1e-15, 0), Point_2(2 * pi, 1)}, {}).empty());
+  // more turns than samples
+  assert(seams(Surface::CYLINDER, {Point_2(1, 0), Point_2(1e6, 1)}, {}).empty());
+  assert(seams(Surface::CYLINDER, {Point_2(-1e300, 0), Point_2(1e300, 1)}, {}).empty());
   const typename Traits::Curve_3 plain(
     SC::NURBS_curve_3<K>::make_line_segment(Point_3(0, 0, 0), Point_3(1, 1, 1)));
   assert(Traits().construct_seam_parameters_on_curve_3_object()(plain).empty());

@@ -49,7 +49,8 @@ void append_crossings(const Angle& angle, const FT& value, const std::vector<FT>
   }
 }
 
-// appends the parameters at which an angle passes through a multiple of the full turn
+// Appends the parameters at which an angle passes through a multiple of the full turn; none if it
+// makes more turns than there are samples, which tell nothing then.
 template <typename FT, typename Angle>
 void append_period_crossings(const Angle& angle, const std::vector<FT>& samples,
                              std::vector<FT>& result)
@@ -61,8 +62,11 @@ void append_period_crossings(const Angle& angle, const std::vector<FT>& samples,
     smallest = (std::min)(smallest, angle(t));
     largest = (std::max)(largest, angle(t));
   }
-  for(FT k = std::ceil(smallest / period); k * period <= largest; k += FT(1))
-    append_crossings(angle, FT(k * period), samples, result);
+  const FT first = std::ceil(smallest / period), last = std::floor(largest / period);
+  if(!(last - first < FT(double(samples.size()))))
+    return;
+  for(std::size_t i = 0; FT(double(i)) <= last - first; ++i)
+    append_crossings(angle, FT((first + FT(double(i))) * period), samples, result);
 }
 
 } // namespace internal
