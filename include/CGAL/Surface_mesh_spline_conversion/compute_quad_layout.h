@@ -37,6 +37,7 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -287,9 +288,9 @@ private:
   template <typename Judge>
   Error_code try_instead(const Field_attempt& attempt, bool& is_better, const Judge& judge)
   {
-    const Integer_grid_map map = m_map;
-    const Mapped_quads quads = m_quads;
-    const Quad_layout<GeomTraits> layout = m_layout;
+    Integer_grid_map map = m_map;
+    Mapped_quads quads = m_quads;
+    Quad_layout<GeomTraits> layout = m_layout;
     const std::string fallback = m_report.map.fallback;
     const Field_attempt before = m_attempt;
     Error_code code = try_once(attempt, m_most_repairs);
@@ -298,9 +299,9 @@ private:
       code = judge();
     if(is_better || (code != Error_code::OK && !has_no_map(code)))
       return code;
-    m_map = map;
-    m_quads = quads;
-    m_layout = layout;
+    m_map = std::move(map);
+    m_quads = std::move(quads);
+    m_layout = std::move(layout);
     m_report.map.fallback = fallback;
     m_report.message = m_message;
     m_attempt = before;

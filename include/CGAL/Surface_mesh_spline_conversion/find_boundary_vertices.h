@@ -235,8 +235,7 @@ typename Network::FT arc_length_near(const Network& network, std::size_t chain,
 finds where the boundary of a surface passes the joints of its curves, the seams of closed curves,
 the seams of their surfaces and the corners of the network: there the exported boundary needs
 vertices, as the neighboring faces of a CAD model have them there. The result is meant for the
-parameter `boundary_vertices` of
-`extract_NURBS_faces()`.
+parameter `boundary_vertices` of `extract_NURBS_faces()`.
 
 \param surface the surface
 \param network the boundary curves of the mesh the surface was made from, or of a mesh of which it

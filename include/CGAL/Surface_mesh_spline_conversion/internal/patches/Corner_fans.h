@@ -14,8 +14,7 @@
 #include <CGAL/Surface_mesh_spline_conversion/internal/patches/Mesh_projection.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/patches/quad_sides.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/patches/split_corners.h>
-
-#include <CGAL/number_utils.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/to_eigen.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -96,15 +95,9 @@ private:
   // the line has reached the bisector at that share of the radius
   static constexpr double inner_share = 1. / 16;
 
-  static Vector to_eigen(const Point_3& p)
-  {
-    return Vector(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
-  }
-
   Vector vertex(size_type face, size_type i) const
   {
-    const Mesh_projection::Point_3& p = m_mesh.vertex(m_mesh.corners(face)[i % 3]);
-    return Vector(p.x(), p.y(), p.z());
+    return to_eigen(m_mesh.vertex(m_mesh.corners(face)[i % 3]));
   }
 
   // the corner is the end of side `i` of `quad`
