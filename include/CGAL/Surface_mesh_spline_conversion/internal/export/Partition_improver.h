@@ -33,10 +33,10 @@ namespace Surface_mesh_spline_conversion {
 namespace internal {
 
 /// Improves a partition of cells into rectangles, such that the faces are few and their file is
-/// small, by simulated annealing. In a move, a rectangle grows over one of its sides: a rectangle of
-/// the same width is cut out of those beside it, and what is left of them joins others where that
-/// pays. A cut and a joint change edges and vertices at their two ends only, so that the change of
-/// the file is known without a look at the rest.
+/// small, by simulated annealing. In a move, a rectangle grows over one of its sides: a rectangle
+/// of the same width is cut out of those beside it, and what is left of them joins others where
+/// that pays. A cut and a joint change edges and vertices at their two ends only, so that the
+/// change of the file is known without a look at the rest.
 class Partition_improver
 {
 public:
@@ -81,19 +81,22 @@ private:
     Tick_frame frame;
   };
 
-  // What parts of a file take, in records of the size of a control point with a reference to it (93
-  // bytes on average): a face without edges; an edge with its two uses and the first of its inner
-  // points, a further point of it, and a vertex. A face counts three times what it takes, as kernels
-  // like few faces; this makes the files of the test cases no larger.
-  static constexpr double POINTS_PER_FACE = 10;
+  // What edges take in a file, in records of the size of a control point with a reference to it (93
+  // bytes on average): an edge with its two uses and the first of its inner points, a further point
+  // of it, and a vertex.
   static constexpr double POINTS_PER_EDGE = 3.6;
   static constexpr double POINTS_PER_SEGMENT = 1.1;
   static constexpr double POINTS_PER_VERTEX = 1.4;
 
-  // Kernels and mesh generators have difficulties with slivers: each width by which a face is longer
-  // than so many counts as so many points.
+  // A face without edges takes 3 only. Kernels like few faces: this weight makes the files of most
+  // test cases no larger; a strut without extraordinary points gets 3 faces instead of 5, and six
+  // percent more bytes.
+  static constexpr double POINTS_PER_FACE = 40;
+
+  // Kernels and mesh generators have difficulties with slivers: each width by which a face is
+  // longer than so many counts as so many points.
   static constexpr double LONG_FACE = 8;
-  static constexpr double POINTS_PER_WIDTH = 4;
+  static constexpr double POINTS_PER_WIDTH = 8;
 
   // In the units of the cost. At the first temperature faces are cut for nothing now and then, at
   // the last one nothing becomes larger.
@@ -101,7 +104,7 @@ private:
   static constexpr double LAST_TEMPERATURE = 0.3;
 
   // ten times as many save one percent of the file
-  static constexpr std::size_t NUMBER_OF_MOVES = 1000;
+  static constexpr std::size_t NUMBER_OF_MOVES = 2000;
   static constexpr std::size_t NUMBER_OF_MOVES_PER_FACE = 100;
 
   // one move of so many only cuts a face, the others let one grow
@@ -148,7 +151,8 @@ private:
         = m_first_movable + random.get_int(0, int(m_faces.size() - m_first_movable));
       begin_move();
       const bool is_possible = m_faces[f] && move(f, random);
-      if(is_possible && (m_change < 0 || random.get_double() < std::exp(-m_change / temperature)))
+      if(is_possible
+         && (m_change < 0 || random.get_double() < std::exp(-m_change / temperature)))
         sum += m_change;
       else
         undo_move();
@@ -160,7 +164,8 @@ private:
   bool move(std::size_t f, CGAL::Random& random)
   {
     const int side = random.get_int(0, 4);
-    return (random.get_int(0, MOVES_PER_CUT) == 0) ? divide(f, side & 1, random) : grow(f, side, random);
+    const bool is_cut = (random.get_int(0, MOVES_PER_CUT) == 0);
+    return is_cut ? divide(f, side & 1, random) : grow(f, side, random);
   }
 
   // Cuts a face somewhere.
@@ -192,13 +197,16 @@ private:
     const int first_axis = random.get_int(0, 2);
     const Tick_rectangle strip = strip_to(bounds(f), side, levels[is_farthest ? 0 : level]);
     for(Neighbor& n : beside)
-      if(!cut_out(n.face, n.frame.inverse()(common_part(strip, n.frame(bounds(n.face)))), first_axis))
+    {
+      const Tick_rectangle part = common_part(strip, n.frame(bounds(n.face)));
+      if(!cut_out(n.face, n.frame.inverse()(part), first_axis))
         return false;
-    std::size_t part = beside.front().face;
+    }
+    std::size_t joined = beside.front().face;
     for(std::size_t i = 1; i < beside.size(); ++i)
-      if(!join_faces(part, beside[i].face))
+      if(!join_faces(joined, beside[i].face))
         return false;
-    if(!join_faces(f, part))
+    if(!join_faces(f, joined))
       return false;
     m_rest.push_back(f);
     join_rest();
@@ -214,7 +222,8 @@ private:
   }
 
   // the frame of the face across a segment, in the plane of the face with the cell on this side
-  Tick_frame frame_of_neighbor(const Placed_cell& placed, const Cell_complex::Segment_use& use) const
+  Tick_frame frame_of_neighbor(const Placed_cell& placed,
+                               const Cell_complex::Segment_use& use) const
   {
     return placed.frame.after(m_complex.frame_across_segment(use))
       .after(m_frame_of_cell[m_complex.across(use).cell].inverse());
@@ -238,13 +247,15 @@ private:
         else if(!(known->frame == frame)) // it winds round a handle
           return false;
       }
-    std::sort(result.begin(), result.end(), [this, side](const Neighbor& a, const Neighbor& b)
-              { return a.frame(bounds(a.face)).low[side & 1] < b.frame(bounds(b.face)).low[side & 1]; });
+    auto begin = [this, side](const Neighbor& n)
+    { return n.frame(bounds(n.face)).low[side & 1]; };
+    std::sort(result.begin(), result.end(), [&begin](const Neighbor& a, const Neighbor& b)
+              { return begin(a) < begin(b); });
     return true;
   }
 
-  // To where the face may grow: coordinates of cell sides that all faces beside it have, the farthest
-  // one first.
+  // To where the face may grow: coordinates of cell sides that all faces beside it have, the
+  // farthest one first.
   std::vector<std::int64_t> common_levels(const std::vector<Neighbor>& beside, int side,
                                           std::size_t f) const
   {
@@ -284,8 +295,8 @@ private:
     return result;
   }
 
-  // Cuts a rectangle out of a face, which becomes that rectangle. Returns `false` if cells are in the
-  // way.
+  // Cuts a rectangle out of a face, which becomes that rectangle. Returns `false` if cells are in
+  // the way.
   bool cut_out(std::size_t& f, const Tick_rectangle& rectangle, int first_axis)
   {
     for(int axis : {first_axis, 1 - first_axis})
@@ -351,8 +362,8 @@ private:
     return is_whole ? result : Neighbor();
   }
 
-  // The change of the cost if two faces become one. The edge between them vanishes; where it ends at
-  // a vertex with two further edges, these become one.
+  // The change of the cost if two faces become one. The edge between them vanishes; where it ends
+  // at a vertex with two further edges, these become one.
   double change_by_joint(std::size_t f, int side, const Neighbor& n) const
   {
     std::array<double, 2> breaks, extents;
@@ -370,9 +381,12 @@ private:
       const auto& uses = m_complex.uses(placed.cell, cell_side(placed, side));
       result -= POINTS_PER_SEGMENT * double(uses.size());
       for(int end = 0; end < 2; ++end)
-        if(is_at_end(f, side, placed, end)
-           && degree(end == 0 ? m_complex.source(uses.front()) : m_complex.target(uses.back())) == 3)
+      {
+        const std::size_t v
+          = (end == 0) ? m_complex.source(uses.front()) : m_complex.target(uses.back());
+        if(is_at_end(f, side, placed, end) && degree(v) == 3)
           result -= POINTS_PER_EDGE + POINTS_PER_VERTEX;
+      }
     }
     return result;
   }
@@ -410,7 +424,7 @@ private:
     { return m_face_of_cell[cell] == f || m_face_of_cell[cell] == n.face; });
   }
 
-  // makes one face of two, with the index `f` from then on; returns `false` if that is not allowed
+  // makes one face of two, with the index `f` from then on; returns `false` if they cannot be one
   bool join_faces(std::size_t& f, std::size_t g)
   {
     for(int side = 0; side < 4; ++side)
