@@ -99,7 +99,7 @@ Shell sphere_shell(int m, double tolerance)
   { return limit_points.at({{int(patch), int(std::lround(u * n)), int(std::lround(v * n))}}); };
   Shell shell;
   SMSC::internal::extract_shell<K>(surface.cells(m), surface.neighbors(), position,
-                                   {true, m, tolerance, {}}, shell);
+                                   {SMSC::internal::Merging::BEST, m, tolerance, {}}, shell);
   return shell;
 }
 

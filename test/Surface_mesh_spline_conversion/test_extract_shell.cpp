@@ -88,11 +88,13 @@ void test(int m, int depth)
   { return limit_points.at({{int(patch), int(std::lround(u * n)), int(std::lround(v * n))}}); };
   double last_deviation = 1e9;
   for(double tolerance : {1., 1e-4, 1e-5})
-    for(bool merge : {false, true})
+    for(const auto merging : {SMSC::internal::Merging::NONE, SMSC::internal::Merging::FAST,
+                              SMSC::internal::Merging::BEST})
     {
       SMSC::NURBS_shell_3<K> shell;
-      const auto result = SMSC::internal::extract_shell<K>(
-        surface.cells(depth), surface.neighbors(), position, {merge, depth, tolerance, {}}, shell);
+      const auto result
+        = SMSC::internal::extract_shell<K>(surface.cells(depth), surface.neighbors(), position,
+                                           {merging, depth, tolerance, {}}, shell);
       const Shell_checks<K> checks(shell);
       std::cout << "sphere " << m << ": " << shell.number_of_faces() << " faces, caps deviate "
                 << result.cap_deviation << ", gap " << checks.largest_gap << ", angle "

@@ -95,7 +95,8 @@ struct Conversion_report
     size_type control_points = 0;       ///< control points of the surface
     size_type extraordinary_points = 0; ///< interior vertices of valence other than four
     size_type t_junctions = 0;          ///< T-junctions of the T-mesh
-    size_type nurbs_faces = 0;          ///< faces of the exported boundary representation
+    size_type nurbs_faces = 0;          ///< faces of the boundary representation that was measured;
+                                        ///< `extract_NURBS_faces()` may merge more of them
     size_type bezier_elements = 0;      ///< polynomial pieces of the surface
   };
 

@@ -94,6 +94,36 @@ std::vector<Cell> surface_cells(const T_NURCC_surface_3<K>& surface)
   return cells;
 }
 
+// extracts the faces of a surface with the given cells, see `extract_NURBS_faces()`
+template <typename K>
+Cap_statistics<typename K::FT>
+extract_faces(const T_NURCC_surface_3<K>& surface, std::vector<Cell> cells, double tolerance,
+              const std::vector<Boundary_vertex<typename K::FT> >& boundary_vertices,
+              Merging merging, NURBS_shell_3<K>& shell)
+{
+  typedef typename K::FT FT;
+
+  Extraction_settings settings;
+  settings.merging = merging;
+  settings.levels = EXTRACTION_LEVELS;
+  settings.cap_tolerance = CAP_SHARE_OF_TOLERANCE * tolerance;
+  for(const Boundary_vertex<FT>& v : boundary_vertices)
+    settings.boundary_points.push_back({v.quad, v.side, CGAL::to_double(v.parameter)});
+
+  auto position = [&surface](std::size_t patch, double u, double v)
+  { return to_eigen(surface.position(patch, FT(u), FT(v))); };
+  const Extraction_result result = extract_shell(std::move(cells), quad_neighbors(surface),
+                                                 position, settings, shell);
+
+  Cap_statistics<FT> statistics;
+  statistics.number_of_caps = result.number_of_caps;
+  statistics.number_of_sharp_caps = result.number_of_sharp_caps;
+  statistics.deviation = result.cap_deviation;
+  statistics.number_of_creases = result.number_of_creases;
+  statistics.crease_deviation = result.crease_deviation;
+  return statistics;
+}
+
 } // namespace internal
 
 /*!
@@ -149,31 +179,16 @@ extract_NURBS_faces(const T_NURCC_surface_3<K>& surface, NURBS_shell_3<K>& shell
 
   constexpr double DEFAULT_RELATIVE_TOLERANCE = 1e-3;
   std::vector<internal::Cell> cells = internal::surface_cells(surface);
-  const double tolerance = CGAL::to_double(choose_parameter(
+  const FT tolerance = choose_parameter(
     get_parameter(np, internal_np::interior_tolerance),
-    FT(DEFAULT_RELATIVE_TOLERANCE * internal::largest_coordinate(cells))));
-  const std::vector<Boundary_vertex<FT> > boundary_vertices = choose_parameter(
-    get_parameter(np, internal_np::boundary_vertices), std::vector<Boundary_vertex<FT> >());
-
-  internal::Extraction_settings settings;
-  settings.do_merge = choose_parameter(get_parameter(np, internal_np::do_merge_patches), true);
-  settings.levels = internal::EXTRACTION_LEVELS;
-  settings.cap_tolerance = internal::CAP_SHARE_OF_TOLERANCE * tolerance;
-  for(const Boundary_vertex<FT>& v : boundary_vertices)
-    settings.boundary_points.push_back({v.quad, v.side, CGAL::to_double(v.parameter)});
-
-  auto position = [&surface](std::size_t patch, double u, double v)
-  { return internal::to_eigen(surface.position(patch, FT(u), FT(v))); };
-  const internal::Extraction_result result = internal::extract_shell(
-    std::move(cells), internal::quad_neighbors(surface), position, settings, shell);
-
-  Cap_statistics<FT> statistics;
-  statistics.number_of_caps = result.number_of_caps;
-  statistics.number_of_sharp_caps = result.number_of_sharp_caps;
-  statistics.deviation = result.cap_deviation;
-  statistics.number_of_creases = result.number_of_creases;
-  statistics.crease_deviation = result.crease_deviation;
-  return statistics;
+    FT(DEFAULT_RELATIVE_TOLERANCE * internal::largest_coordinate(cells)));
+  const bool do_merge
+    = choose_parameter(get_parameter(np, internal_np::do_merge_patches), true);
+  return internal::extract_faces(
+    surface, std::move(cells), CGAL::to_double(tolerance),
+    choose_parameter(get_parameter(np, internal_np::boundary_vertices),
+                     std::vector<Boundary_vertex<FT> >()),
+    do_merge ? internal::Merging::BEST : internal::Merging::NONE, shell);
 }
 
 } // namespace Surface_mesh_spline_conversion

@@ -307,14 +307,14 @@ private:
     return m_options.interior_tolerance + (Conversion_report::is_measured(height) ? height : 0);
   }
 
+  // The measurements do not depend on how pieces are merged to faces.
   NURBS_shell_3<Kernel> extract_shell(const Surface& surface,
                                       const Component_network& network) const
   {
     NURBS_shell_3<Kernel> shell;
-    extract_NURBS_faces(surface, shell,
-                        parameters::interior_tolerance(m_options.interior_tolerance)
-                          .boundary_vertices(find_boundary_vertices(
-                            surface, network, FT(m_options.boundary_tolerance))));
+    extract_faces(surface, surface_cells(surface), m_options.interior_tolerance,
+                  find_boundary_vertices(surface, network, FT(m_options.boundary_tolerance)),
+                  Merging::FAST, shell);
     return shell;
   }
 

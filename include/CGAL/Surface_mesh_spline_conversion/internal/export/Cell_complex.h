@@ -99,6 +99,12 @@ struct Cell
   bool is_end_of_crease = false; ///< must a cap follow?
 };
 
+/// may a cell share a face with others?
+inline bool is_mergeable(const Cell& cell)
+{
+  return cell.cap == NO_INDEX && cell.crease == NO_INDEX;
+}
+
 /// how the layout quads hang together, by side: (quad, side), the quad `NO_INDEX` at the boundary
 typedef std::vector<std::array<std::pair<std::size_t, int>, 4> > Quad_neighbors;
 

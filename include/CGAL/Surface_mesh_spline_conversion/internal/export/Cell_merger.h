@@ -13,7 +13,9 @@
 
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/Cell_complex.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/Cell_rectangle.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/export/Partition_improver.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/Rectangle_grower.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/export/is_smooth_segment.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -26,30 +28,37 @@ namespace CGAL {
 namespace Surface_mesh_spline_conversion {
 namespace internal {
 
+/// how much effort goes into merging cells to rectangles
+enum class Merging
+{
+  NONE, ///< each cell is one, but beside creases
+  FAST, ///< rectangles grow one after the other
+  BEST  ///< then they are improved together
+};
+
 /// Partition of a cell complex into rectangles of cells that join with C2 continuity, such that the
-/// file of the faces is small: rectangles grow from one cell after the other, in two ways, of which
-/// the smaller one is kept.
+/// faces are few and their file is small: rectangles grow from one cell after the other, and are
+/// improved together.
 class Cell_merger
 {
-  typedef Rectangle_grower::Growth Growth;
-
 public:
   /// two pieces are C2 if their blossoms agree to `tolerance`
   Cell_merger(const Cell_complex& complex, double tolerance)
-    : m_complex(complex), m_grower(complex, tolerance)
+    : m_complex(complex), m_is_smooth(complex, tolerance), m_grower(complex, m_is_smooth)
   {}
 
-  /// returns the rectangles; without `do_merge`, each cell is one, but beside creases
-  std::vector<Cell_rectangle> operator()(bool do_merge)
+  /// returns the rectangles
+  std::vector<Cell_rectangle> operator()(Merging merging)
   {
     std::vector<std::size_t> cells(m_complex.cells().size());
     std::iota(cells.begin(), cells.end(), std::size_t(0));
     large_first(cells);
-    if(!do_merge)
+    if(merging == Merging::NONE)
       return single_cells(cells);
-    const std::vector<Cell_rectangle> in_turn = partition(cells, Growth::IN_TURN);
-    const std::vector<Cell_rectangle> by_saving = partition(cells, Growth::BY_SAVING);
-    return cost(by_saving) < cost(in_turn) ? by_saving : in_turn;
+    std::vector<Cell_rectangle> faces = partition(cells);
+    if(merging == Merging::BEST)
+      Partition_improver(m_complex, m_is_smooth)(faces);
+    return faces;
   }
 
 private:
@@ -68,20 +77,15 @@ private:
     return faces;
   }
 
-  std::vector<Cell_rectangle> partition(const std::vector<std::size_t>& seeds, Growth growth)
+  std::vector<Cell_rectangle> partition(const std::vector<std::size_t>& seeds)
   {
-    for(std::size_t c = 0; c < m_complex.cells().size(); ++c)
-      m_grower.set_face_of_cell(c, NO_INDEX);
     std::vector<Cell_rectangle> faces;
     for(std::size_t seed : seeds)
     {
-      if(m_grower.is_mergeable(seed) && m_grower.face_of_cell(seed) == NO_INDEX)
-        faces.push_back(m_grower.grown(seed, faces.size(), growth));
+      if(m_grower.is_free(seed))
+        faces.push_back(m_grower.grown(seed, faces.size()));
       else if(m_complex.cells()[seed].cap != NO_INDEX)
-      {
-        m_grower.set_face_of_cell(seed, faces.size());
         faces.push_back(single_cell(seed));
-      }
     }
     append_crease_faces(faces);
     return faces;
@@ -125,24 +129,12 @@ private:
         const Tick_point p = placed_rectangle(m_complex, a).low, q = placed_rectangle(m_complex, b).low;
         return p[1] < q[1] || (p[1] == q[1] && p[0] < q[0]);
       });
-      for(const Placed_cell& placed : face.cells)
-        m_grower.set_face_of_cell(placed.cell, faces.size());
       faces.push_back(face);
     }
   }
 
-  // in records of a file of the size of a point; the knots of the B-splines are simple inside
-  double cost(const std::vector<Cell_rectangle>& faces) const
-  {
-    double sum = 0;
-    for(const Cell_rectangle& face : faces)
-      sum += Rectangle_grower::POINTS_PER_FACE
-           + double(breakpoints(m_complex, face, 0).size() + 2)
-           * double(breakpoints(m_complex, face, 1).size() + 2);
-    return sum;
-  }
-
   const Cell_complex& m_complex;
+  Smooth_segments m_is_smooth;
   Rectangle_grower m_grower;
 };
 

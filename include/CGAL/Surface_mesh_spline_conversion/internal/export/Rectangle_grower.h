@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
+#include <CGAL/Surface_mesh_spline_conversion/internal/export/Cell_block.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/Cell_complex.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/Cell_rectangle.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/is_smooth_segment.h>
@@ -19,7 +20,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -35,131 +35,63 @@ namespace internal {
 class Rectangle_grower
 {
 public:
-  /// where a rectangle grows next: on the sides in turn, or where a strip saves most; neither gives
-  /// the better partition of all surfaces
-  enum class Growth
-  {
-    IN_TURN,
-    BY_SAVING
-  };
-
-  /// what a face costs beside its control points, in records of a file of the size of a point: loop,
-  /// edges with their ends, and vertices
-  static constexpr double POINTS_PER_FACE = 20;
-
-  /// two pieces are C2 if their blossoms agree to `tolerance`
-  Rectangle_grower(const Cell_complex& complex, double tolerance)
-    : m_complex(complex), m_tolerance(tolerance), m_face_of_cell(complex.cells().size(), NO_INDEX),
-      m_strip_of_cell(complex.cells().size(), 0), m_smooth(complex.segments().size(), UNKNOWN)
+  Rectangle_grower(const Cell_complex& complex, Smooth_segments& is_smooth)
+    : m_complex(complex), m_is_smooth(is_smooth), m_face_of_cell(complex.cells().size(), NO_INDEX),
+      m_strip_of_cell(complex.cells().size(), 0), m_outline_check(complex)
   {}
 
-  /// the face a cell is in, `NO_INDEX` if it is free
-  std::size_t face_of_cell(std::size_t cell) const { return m_face_of_cell[cell]; }
-
-  void set_face_of_cell(std::size_t cell, std::size_t face) { m_face_of_cell[cell] = face; }
-
-  /// may a cell share a face with others?
-  bool is_mergeable(std::size_t cell) const
+  /// may a face grow from a cell, or over it?
+  bool is_free(std::size_t cell) const
   {
-    return m_complex.cells()[cell].cap == NO_INDEX && m_complex.cells()[cell].crease == NO_INDEX;
+    return cell != NO_INDEX && m_face_of_cell[cell] == NO_INDEX
+        && is_mergeable(m_complex.cells()[cell]);
   }
 
-  /// lets a face grow from a free cell; its cells then are in face `index`
-  Cell_rectangle grown(std::size_t seed, std::size_t index, Growth growth)
+  /// lets a face grow from a free cell on its sides in turn; its cells then are in face `index`
+  Cell_rectangle grown(std::size_t seed, std::size_t index)
   {
     m_face_of_cell[seed] = index;
-    Block face = block({{{seed, Tick_frame()}}, m_complex.cells()[seed].rectangle});
-    for(int next = 0;;)
+    Cell_block face
+      = cell_block(m_complex, {{{seed, Tick_frame()}}, m_complex.cells()[seed].rectangle});
+    for(int side = 0, failures = 0; failures < 4; side = (side + 1) & 3)
     {
-      Block best;
-      int best_side = -1;
-      double best_saving = 0;
-      for(int i = 0; i < 4 && (best_side < 0 || growth == Growth::BY_SAVING); ++i)
+      Cell_block strip;
+      if(!find_strip(face, index, side, strip) || saving(face, strip, side) < 0)
       {
-        const int side = (next + i) & 3;
-        Block strip;
-        if(!find_strip(face, index, side, strip))
-          continue;
-        const double s = saving(face, strip, side);
-        if(s < best_saving || (s == best_saving && best_side >= 0))
-          continue;
-        best = std::move(strip);
-        best_side = side;
-        best_saving = s;
+        ++failures;
+        continue;
       }
-      if(best_side < 0)
-        return std::move(face.cells);
-      for(const Placed_cell& placed : best.cells.cells)
+      failures = 0;
+      for(const Placed_cell& placed : strip.rectangle.cells)
         m_face_of_cell[placed.cell] = index;
-      join(face, best, best_side);
-      next = (best_side + 1) & 3;
+      join(face, strip, side);
     }
+    return std::move(face.rectangle);
   }
 
 private:
-  enum Smoothness : char { UNKNOWN, YES, NO };
+  // what a face costs beside its control points, in records of a file of the size of a point: loop,
+  // edges with their ends, and vertices
+  static constexpr double POINTS_PER_FACE = 20;
 
   // how often the width of a strip is enlarged to a cell that reaches further
   static constexpr int MAXIMUM_NUMBER_OF_ENLARGEMENTS = 4;
 
-  // a rectangle of cells with what is needed to join it with another
-  struct Block
+  // of the B-spline, whose knots are simple inside
+  static double number_of_points(const Cell_block& block)
   {
-    Cell_rectangle cells;
-    std::array<std::vector<std::int64_t>, 2> breaks;
-    std::array<std::vector<Placed_cell>, 4> rim; // the cells along each side
-
-    // of the B-spline, whose knots are simple inside
-    double number_of_points() const { return double(breaks[0].size() + 2) * (breaks[1].size() + 2); }
-  };
-
-  Block block(Cell_rectangle cells) const
-  {
-    Block result;
-    for(int axis = 0; axis < 2; ++axis)
-      result.breaks[axis] = breakpoints(m_complex, cells, axis);
-    for(const Placed_cell& placed : cells.cells)
-      for(int side = 0; side < 4; ++side)
-        if(side_level(image(placed), side) == side_level(cells.bounds, side))
-          result.rim[side].push_back(placed);
-    result.cells = std::move(cells);
-    return result;
-  }
-
-  static std::vector<std::int64_t> united(const std::vector<std::int64_t>& a,
-                                          const std::vector<std::int64_t>& b)
-  {
-    std::vector<std::int64_t> result;
-    std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(result));
-    return result;
+    return double(block.breaks[0].size() + 2) * double(block.breaks[1].size() + 2);
   }
 
   // the points of a face and of a strip along a side of it, each with its own copy of their common
   // edge, less those of one face for both
-  static double saving(const Block& face, const Block& strip, int side)
+  static double saving(const Cell_block& face, const Cell_block& strip, int side)
   {
     double joined = 1;
     for(int axis = 0; axis < 2; ++axis)
       joined *= double(united(face.breaks[axis], strip.breaks[axis]).size() + 2);
-    return face.number_of_points() + strip.number_of_points()
+    return number_of_points(face) + number_of_points(strip)
          + double(strip.breaks[side & 1].size() + 2) + POINTS_PER_FACE - joined;
-  }
-
-  static void join(Block& face, const Block& strip, int side)
-  {
-    auto append = [](const std::vector<Placed_cell>& from, std::vector<Placed_cell>& to)
-    { to.insert(to.end(), from.begin(), from.end()); };
-    append(strip.cells.cells, face.cells.cells);
-    for(int axis = 0; axis < 2; ++axis)
-    {
-      face.breaks[axis] = united(face.breaks[axis], strip.breaks[axis]);
-      Tick_rectangle& bounds = face.cells.bounds;
-      bounds.low[axis] = (std::min)(bounds.low[axis], strip.cells.bounds.low[axis]);
-      bounds.high[axis] = (std::max)(bounds.high[axis], strip.cells.bounds.high[axis]);
-    }
-    face.rim[side] = strip.rim[side];
-    append(strip.rim[(side + 1) & 3], face.rim[(side + 1) & 3]);
-    append(strip.rim[(side + 3) & 3], face.rim[(side + 3) & 3]);
   }
 
   Tick_rectangle image(const Placed_cell& placed) const
@@ -172,15 +104,8 @@ private:
     return {m_complex.across(use).cell, placed.frame.after(m_complex.frame_across_segment(use))};
   }
 
-  bool is_smooth(std::size_t segment)
-  {
-    if(m_smooth[segment] == UNKNOWN)
-      m_smooth[segment] = is_smooth_segment(m_complex, segment, m_tolerance) ? YES : NO;
-    return m_smooth[segment] == YES;
-  }
-
   // finds a strip of cells along a side of the face, with which it does not touch itself
-  bool find_strip(const Block& face, std::size_t index, int side, Block& result)
+  bool find_strip(const Cell_block& face, std::size_t index, int side, Cell_block& result)
   {
     std::vector<Placed_cell> first;
     if(!first_layer(face, side, first))
@@ -191,12 +116,13 @@ private:
     for(int i = 0; i < MAXIMUM_NUMBER_OF_ENLARGEMENTS; ++i)
     {
       std::vector<Placed_cell> strip;
-      const std::int64_t required = fill_strip(face.cells, side, width, first, strip);
+      const std::int64_t required = fill_strip(face.rectangle, side, width, first, strip);
       if(required < 0)
         return false;
       if(required == width)
       {
-        result = block({std::move(strip), strip_bounds(face.cells.bounds, side, width)});
+        result = cell_block(
+          m_complex, {std::move(strip), strip_bounds(face.rectangle.bounds, side, width)});
         return !touches_itself(face, result, index, side);
       }
       width = required;
@@ -204,17 +130,12 @@ private:
     return false;
   }
 
-  bool is_free(std::size_t cell) const
-  {
-    return cell != NO_INDEX && m_face_of_cell[cell] == NO_INDEX && is_mergeable(cell);
-  }
-
-  bool first_layer(const Block& face, int side, std::vector<Placed_cell>& first)
+  bool first_layer(const Cell_block& face, int side, std::vector<Placed_cell>& first)
   {
     for(const Placed_cell& placed : face.rim[side])
       for(const auto& use : m_complex.uses(placed.cell, cell_side(placed, side)))
       {
-        if(!is_free(m_complex.across(use).cell) || !is_smooth(use.segment))
+        if(!is_free(m_complex.across(use).cell) || !m_is_smooth(use.segment))
           return false;
         first.push_back(placed_across(placed, use));
       }
@@ -288,7 +209,7 @@ private:
         continue;
       for(const auto& use : m_complex.uses(placed.cell, s))
       {
-        if(!is_free(m_complex.across(use).cell) || !is_smooth(use.segment))
+        if(!is_free(m_complex.across(use).cell) || !m_is_smooth(use.segment))
           return false;
         const Placed_cell next = placed_across(placed, use);
         if(m_strip_of_cell[next.cell] == m_strip && !is_placed_as(next, strip))
@@ -307,35 +228,19 @@ private:
     return false;
   }
 
-  // would the outline of both pass a vertex twice, or run along cells of the face itself?
-  bool touches_itself(const Block& face, const Block& strip, std::size_t index, int side) const
+  bool touches_itself(const Cell_block& face, const Cell_block& strip, std::size_t index, int side)
   {
-    std::vector<std::size_t> vertices;
-    for(int s = 0; s < 4; ++s)
-      for(const Block* part : {&face, &strip})
-      {
-        if(s == (part == &face ? side : (side + 2) & 3)) // the common edge
-          continue;
-        for(const Placed_cell& placed : part->rim[s])
-          for(const auto& use : m_complex.uses(placed.cell, cell_side(placed, s)))
-          {
-            const std::size_t other = m_complex.across(use).cell;
-            if(other != NO_INDEX
-               && (m_face_of_cell[other] == index || m_strip_of_cell[other] == m_strip))
-              return true;
-            vertices.push_back(m_complex.source(use));
-          }
-      }
-    std::sort(vertices.begin(), vertices.end());
-    return std::adjacent_find(vertices.begin(), vertices.end()) != vertices.end();
+    return m_outline_check.touches_itself(
+      face, side, strip, (side + 2) & 3, [this, index](std::size_t cell)
+    { return m_face_of_cell[cell] == index || m_strip_of_cell[cell] == m_strip; });
   }
 
   const Cell_complex& m_complex;
-  double m_tolerance;
+  Smooth_segments& m_is_smooth;
   std::vector<std::size_t> m_face_of_cell;
   std::vector<std::size_t> m_strip_of_cell; // the last strip a cell was taken into
   std::size_t m_strip = 0;
-  std::vector<Smoothness> m_smooth;
+  Outline_check m_outline_check;
 };
 
 } // namespace internal

@@ -30,7 +30,7 @@ namespace internal {
 
 struct Extraction_settings
 {
-  bool do_merge;         ///< may faces cover several bicubic pieces?
+  Merging merging;       ///< of bicubic pieces to faces
   int levels;            ///< of subdivision of the cells at extraordinary points
   double cap_tolerance;  ///< on the deviation of caps
   std::vector<Boundary_point> boundary_points; ///< where the boundary must have vertices
@@ -190,7 +190,7 @@ Extraction_result extract_shell(std::vector<Cell> cells, const Quad_neighbors& n
       break;
   const Cell_complex complex = make_cell_complex(std::move(parts), neighbors);
 
-  std::vector<Cell_rectangle> faces = Cell_merger(complex, equality)(settings.do_merge);
+  std::vector<Cell_rectangle> faces = Cell_merger(complex, equality)(settings.merging);
   Shell_assembler<K>(complex, caps, creases)(std::move(faces), settings.boundary_points, shell);
 
   Extraction_result result;

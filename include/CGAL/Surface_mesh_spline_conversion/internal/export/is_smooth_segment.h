@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_spline_conversion {
@@ -56,6 +57,30 @@ inline bool is_smooth_segment(const Cell_complex& complex, std::size_t index, do
     }
   return true;
 }
+
+/// `is_smooth_segment()`, computed once for each segment
+class Smooth_segments
+{
+public:
+  /// two pieces are C2 if their blossoms agree to `tolerance`
+  Smooth_segments(const Cell_complex& complex, double tolerance)
+    : m_complex(complex), m_tolerance(tolerance), m_smooth(complex.segments().size(), UNKNOWN)
+  {}
+
+  bool operator()(std::size_t segment)
+  {
+    if(m_smooth[segment] == UNKNOWN)
+      m_smooth[segment] = is_smooth_segment(m_complex, segment, m_tolerance) ? YES : NO;
+    return m_smooth[segment] == YES;
+  }
+
+private:
+  enum Smoothness : char { UNKNOWN, YES, NO };
+
+  const Cell_complex& m_complex;
+  double m_tolerance;
+  std::vector<Smoothness> m_smooth;
+};
 
 } // namespace internal
 } // namespace Surface_mesh_spline_conversion
