@@ -15,6 +15,7 @@
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/Boundary_deviation.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/Interior_deviation.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/Mesh_distance.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/export/Normal_net.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/bezier_pieces.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/normal_angles.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/named_parameters.h>
@@ -62,6 +63,8 @@ struct Deviation
                                           ///< edge
   std::size_t faces_against_mesh = 0; ///< faces that look the other way than the mesh
   std::vector<Point_3> folds;         ///< the middle of their polynomial pieces that do
+  std::vector<Point_3> piece_folds;   ///< a place in each polynomial piece that is folded over,
+                                      ///< however small the fold is
 };
 
 namespace internal {
@@ -99,6 +102,9 @@ void measure_shell(const NURBS_shell_3<K>& shell, const TriangleMesh& tm, const 
   deviation.folds.clear();
   for(const Eigen::Vector3d& p : interior.folds())
     deviation.folds.push_back(point(p));
+  deviation.piece_folds.clear();
+  for(const Eigen::Vector3d& p : folds_of_pieces(pieces))
+    deviation.piece_folds.push_back(point(p));
 
   const Normal_angles angles = normal_angles(shell, LARGEST_ANGLE);
   deviation.normal_angle_maximum = angles.statistics.maximum;

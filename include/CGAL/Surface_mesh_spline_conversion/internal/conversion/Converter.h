@@ -41,7 +41,10 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -114,6 +117,11 @@ private:
   // only the first times count: below the size of the faces of the mesh the normals have no meaning.
   static constexpr int maximum_number_of_smoothings = 4;
 
+  // Where quads are too large for the shape and the corners below them, the map onto them is so
+  // uneven that no surface follows it without folds, or closely enough. Quads of that share of their
+  // size are tried then, again and again down to the smallest one.
+  static constexpr double next_factor = 0.7, smallest_factor = 0.3;
+
   void describe_input(std::size_t number_of_components)
   {
     Conversion_report::Input& input = m_report.input;
@@ -159,19 +167,71 @@ private:
     }
     part.input.facet_sagitta = facet_sagitta(component.mesh, get(vertex_point, component.mesh));
     warn_about_large_corners(component.mesh, get(vertex_point, component.mesh), network, part);
+    Attempt best = make_attempt(component, network, part);
+    for(double factor = next_factor; best.is_flawed && factor >= smallest_factor;
+        factor *= next_factor)
+    {
+      for(const auto v : vertices(component.mesh))
+        component.sizes[v] *= next_factor;
+      Attempt attempt = make_attempt(component, network, part);
+      if(attempt.code == Error_code::INTERRUPTED)
+      {
+        part = attempt.part;
+        return attempt.code;
+      }
+      attempt.part.warnings.push_back("with quads of the wanted size the surface would be folded "
+        "over, or miss a tolerance: they were made smaller by the factor " + format_number(factor));
+      for(const Conversion_report::Stage& stage : best.part.stages)
+        attempt.part.add_time(stage.name, stage.seconds);
+      if(attempt.comes_before(best))
+        best = std::move(attempt);
+      else
+        best.part.stages = attempt.part.stages;
+    }
+    part = best.part;
+    if(best.surface)
+      m_surfaces.push_back(std::move(*best.surface));
+    return best.code;
+  }
+
+  // a layout and the surface on it
+  struct Attempt
+  {
+    Error_code code = Error_code::OK;
+    Conversion_report part;
+    std::optional<Surface> surface;
+    std::size_t folds = 0;  // pieces that are folded over, and faces that look against the mesh
+    bool is_flawed = false; // may smaller quads help?
+
+    bool comes_before(const Attempt& other) const
+    {
+      return std::make_tuple(!surface, code != Error_code::OK, folds)
+             < std::make_tuple(!other.surface, other.code != Error_code::OK, other.folds);
+    }
+  };
+
+  // `part`: what is known before the layout
+  Attempt make_attempt(const Component& component, const Component_network& network,
+                       const Conversion_report& part)
+  {
+    Attempt result;
+    result.part = part;
     Quad_layout<Kernel> layout;
-    const Error_code code
-      = compute_quad_layout(component.mesh, network, layout, part,
+    result.code
+      = compute_quad_layout(component.mesh, network, layout, result.part,
                             parameters::quad_size_map(component.sizes)
                               .cross_field_map(component.directions)
                               .visitor(std::ref(m_visitor)));
-    return code == Error_code::OK ? fit(component, network, layout, part) : code;
+    if(result.code == Error_code::OK)
+      result.code = fit(component, network, layout, result);
+    return result;
   }
 
   // the surface stages; the surface is kept if a tolerance is missed.
   Error_code fit(const Component& component, const Component_network& network,
-                 const Quad_layout<Kernel>& layout, Conversion_report& part)
+                 const Quad_layout<Kernel>& layout, Attempt& attempt)
   {
+    Conversion_report& part = attempt.part;
     const Target target(layout, network, component.mesh,
                         parameters::use_smooth_target(m_options.use_smooth_target)
                           .interior_tolerance(m_options.interior_tolerance));
@@ -195,7 +255,7 @@ private:
     Interior_fitter<Surface, Target, Visitor> fitter(
       surface, target, interior_fit_options(target, np), boundary_fit_options(target, np),
       boundary_normals(target, m_normals), m_visitor, part);
-    const Error_code interior = fit_interior(fitter, surface, component, network, part);
+    const Error_code interior = fit_interior(fitter, surface, component, network, attempt);
     if(!is_surface(interior))
       return interior;
     if(target.has_smooth_target())
@@ -204,15 +264,16 @@ private:
       run("certify_interior", part, [&]() { return certify(surface, component, network, part); });
     count(surface, part);
     warn_about_facets(m_options.interior_tolerance, part);
-    m_surfaces.push_back(std::move(surface));
+    attempt.surface = std::move(surface);
     return interior == Error_code::OK ? result : interior;
   }
 
   // fits, measures, and improves the fit where the measurement asks for it.
   template <typename Fitter>
   Error_code fit_interior(Fitter& fitter, const Surface& surface, const Component& component,
-                          const Component_network& network, Conversion_report& part)
+                          const Component_network& network, Attempt& attempt)
   {
+    Conversion_report& part = attempt.part;
     const std::string message = part.message;
     Error_code code = run("fit_interior", part, [&]() { return fitter(); });
     if(code == Error_code::OK && m_options.do_coarsen)
@@ -227,9 +288,13 @@ private:
       if(code != Error_code::OK || round == maximum_number_of_improvements
          || (deviation.interior_violations.empty() && rough.empty()))
       {
+        attempt.folds = deviation.piece_folds.size() + deviation.faces_against_mesh;
+        attempt.is_flawed
+          = attempt.folds > 0 || (code == Error_code::OK && measured != Error_code::OK);
         if(code == Error_code::OK && measured == Error_code::OK && m_options.do_fair)
           return make_fair(fitter, surface, component, network, part, deviation);
         warn_about_normals(deviation, part);
+        warn_about_folds(deviation, part);
         return code == Error_code::OK ? measured : code;
       }
       part.message = message;
@@ -275,6 +340,7 @@ private:
     fitter.restore_fit();
     part = before;
     warn_about_normals(deviation_before, part);
+    warn_about_folds(deviation_before, part);
     return Error_code::OK;
   }
 
@@ -358,6 +424,17 @@ private:
       + format_number(CGAL::to_double(p.x())) + ", " + format_number(CGAL::to_double(p.y())) + ", "
       + format_number(CGAL::to_double(p.z())) + "): a larger interior tolerance or another quad size "
       "may give a smoother surface");
+  }
+
+  static void warn_about_folds(const Deviation<Kernel>& deviation, Conversion_report& part)
+  {
+    if(deviation.piece_folds.empty())
+      return;
+    const Point_3& p = deviation.piece_folds.front();
+    part.warnings.push_back("the surface is folded over in "
+      + std::to_string(deviation.piece_folds.size()) + " of its polynomial pieces, for instance at ("
+      + format_number(CGAL::to_double(p.x())) + ", " + format_number(CGAL::to_double(p.y())) + ", "
+      + format_number(CGAL::to_double(p.z())) + "): another quad size may avoid it");
   }
 
   // The fits have the last word on the tolerances of the surface; this is the independent one.
