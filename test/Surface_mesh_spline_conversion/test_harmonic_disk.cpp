@@ -307,6 +307,8 @@ void check_scaled_jacobian()
   assert(std::abs(internal::scaled_jacobian(square) - 1) < 1e-12);
   assert(std::abs(internal::oriented_scaled_jacobian(square, up) - 1) < 1e-12);
   assert(std::abs(internal::oriented_scaled_jacobian(square, down) + 1) < 1e-12);
+  // at right angles to the surface
+  assert(internal::oriented_scaled_jacobian(square, x) == 0);
   // a rhombus with an angle of 30 degrees
   const Eigen::Vector3d slanted(std::cos(pi / 6), std::sin(pi / 6), 0);
   assert(std::abs(internal::scaled_jacobian({{o, x, x + slanted, slanted}}) - 0.5) < 1e-12);

@@ -58,6 +58,7 @@ struct Result
   std::string message;
   std::string fallback;
   std::size_t quads = 0;
+  double min_scaled_jacobian = 0;
   std::multiset<int> irregular; // numbers of quads at vertices, negative at the boundary
 };
 
@@ -102,6 +103,7 @@ Result compute(Mesh mesh, double size, bool keeps_large_corners = false)
   result.message = report.message;
   result.fallback = report.map.fallback;
   result.quads = layout.number_of_quads();
+  result.min_scaled_jacobian = report.map.min_scaled_jacobian;
   result.irregular = Quad_layout_checks<Layout, Mesh>(layout, mesh, network.diameter())
                        .irregular_valences();
   if(result.code == SC::Error_code::OK)
@@ -265,6 +267,14 @@ void check_crowded_layout()
   assert(result.quads < 120); // 175 if singularities are spread
 }
 
+// No quad winds around a bar, although smaller ones in their place do once.
+void check_winding_quads()
+{
+  const Result result = compute(make_frame(9), 0.2);
+  assert(result.code == SC::Error_code::OK);
+  assert(result.min_scaled_jacobian > 0); // -1 after one attempt
+}
+
 // No singularity is needed on a torus, and none appears.
 void check_torus()
 {
@@ -339,6 +349,7 @@ int main()
   check_thin_walls();
   check_neighboring_loops();
   check_crowded_layout();
+  check_winding_quads();
   check_torus();
   check_large_corner();
   check_no_surfaces();

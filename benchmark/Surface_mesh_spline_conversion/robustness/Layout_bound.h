@@ -18,7 +18,8 @@ namespace Check {
 // its boundary, and Euler's formula gives the number of quads: B / 2 + I - x. A boundary loop has
 // at least four sides, and one between any two corners. At boundary vertices there are two quads,
 // but for corners below 135 degrees, which may have one. Hence, with C of these, the sum of
-// 4 - valence over the inner vertices is at least 4 x - C, and each contributes at most one.
+// 4 - valence over the inner vertices is at least 4 x - C and at most 4 x. Each contributes at most
+// one, and, if no valence is above five, at least minus one.
 class Layout_bound
 {
 public:
@@ -36,20 +37,26 @@ public:
   }
 
   // the smallest number of quads of all components together
-  long number_of_quads()
+  long number_of_quads() { return number_of_quads(false); }
+
+  // the same with three to five quads at each inner vertex
+  long number_of_quads_with_low_valences() { return number_of_quads(true); }
+
+private:
+  long number_of_quads(bool has_low_valences)
   {
     long sum = 0;
     for(const auto& component : m_twice_chi)
     {
       const long chi = component.second / 2, sides = m_sides[component.first];
-      const long inner = (std::max)(4 * chi - m_convex[component.first], sides == 0 ? 1l : 0l);
+      const long inner = (std::max)({4 * chi - m_convex[component.first], sides == 0 ? 1l : 0l,
+                                     has_low_valences ? -4 * chi : 0l});
       // the number of sides is even
-      sum += (std::max)(1l, (sides + 1) / 2 + (std::max)(0l, inner) - chi);
+      sum += (std::max)(1l, (sides + 1) / 2 + inner - chi);
     }
     return sum;
   }
 
-private:
   bool is_border(std::size_t source, std::size_t target) const
   {
     return m_halfedges.count({target, source}) == 0;

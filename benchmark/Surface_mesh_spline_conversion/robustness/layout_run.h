@@ -138,7 +138,10 @@ inline void check_and_measure(const Network& network, double size, const Layout&
                + (defect.place.empty() ? "" : " (" + defect.place + ")");
   report("defects", json(defects));
   report("quads", json(plain.quads.size()));
-  report("least_quads", json(std::size_t(Check::Layout_bound(mesh).number_of_quads())));
+  Check::Layout_bound bound(mesh);
+  report("least_quads", json(std::size_t(bound.number_of_quads())));
+  report("least_quads_with_low_valences",
+         json(std::size_t(bound.number_of_quads_with_low_valences())));
   report("extraordinary_points", json(checker.number_of_extraordinary_points()));
   report("relative_area", json(checker.relative_area()));
   const auto normal = [&](std::size_t q)

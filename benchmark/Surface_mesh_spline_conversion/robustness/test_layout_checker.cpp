@@ -233,33 +233,78 @@ std::vector<std::array<std::size_t, 3> > bands(std::size_t n, bool is_closed)
   return triangles;
 }
 
-int check_bound(const char* name, const Check::Triangle_mesh& mesh, long expected)
+int check_bound(const char* name, const Check::Triangle_mesh& mesh, long expected,
+                long expected_with_low_valences)
 {
-  const long bound = Check::Layout_bound(mesh).number_of_quads();
-  if(bound != expected)
-    std::printf("bound of %s: %ld instead of %ld\n", name, bound, expected);
-  return bound != expected ? 1 : 0;
+  Check::Layout_bound bound(mesh);
+  const long any = bound.number_of_quads(), low = bound.number_of_quads_with_low_valences();
+  const bool is_right = any == expected && low == expected_with_low_valences;
+  if(!is_right)
+    std::printf("bounds of %s: %ld and %ld instead of %ld and %ld\n", name, any, low, expected,
+                expected_with_low_valences);
+  return is_right ? 0 : 1;
+}
+
+// a rectangular plate with `n` holes, of unit squares of two triangles
+Check::Triangle_mesh plate_with_holes(std::size_t n)
+{
+  const std::size_t width = 2 * n + 1, height = 3;
+  const auto vertex = [&](std::size_t i, std::size_t j) { return j * (width + 1) + i; };
+  Check::Triangle_mesh mesh;
+  for(std::size_t j = 0; j <= height; ++j)
+    for(std::size_t i = 0; i <= width; ++i)
+      mesh.points.push_back({{double(i), double(j), 0}});
+  for(std::size_t j = 0; j < height; ++j)
+    for(std::size_t i = 0; i < width; ++i)
+      if(j != 1 || i % 2 == 0)
+      {
+        mesh.triangles.push_back({{vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1)}});
+        mesh.triangles.push_back({{vertex(i, j), vertex(i + 1, j + 1), vertex(i, j + 1)}});
+      }
+  mesh.corners = {vertex(0, 0), vertex(width, 0), vertex(0, height), vertex(width, height)};
+  return mesh;
+}
+
+// two tori, joined by a tube in place of a triangle of each
+std::vector<std::array<std::size_t, 3> > double_torus()
+{
+  const auto torus = bands(3, true);
+  std::vector<std::array<std::size_t, 3> > triangles(torus.begin() + 1, torus.end());
+  const std::array<std::size_t, 3> hole = torus.front();
+  for(std::size_t i = 1; i < torus.size(); ++i)
+    triangles.push_back({{torus[i][0] + 9, torus[i][2] + 9, torus[i][1] + 9}}); // a mirror image
+  for(std::size_t i = 0; i < 3; ++i)
+  {
+    const std::size_t a = hole[i], b = hole[(i + 1) % 3];
+    triangles.push_back({{a, b, b + 9}});
+    triangles.push_back({{a, b + 9, a + 9}});
+  }
+  return triangles;
 }
 
 int check_bounds()
 {
   int failures = 0;
   Check::Triangle_mesh square = make_square().mesh;
-  failures += check_bound("a square", square, 1);
+  failures += check_bound("a square", square, 1, 1);
   square.corners.clear();
-  failures += check_bound("a disk", square, 5); // one in the middle, one at each of four sides
+  failures += check_bound("a disk", square, 5, 5); // one in the middle, one at each of four sides
   square.corners = {0, 2};
-  failures += check_bound("a lens", square, 3);
+  failures += check_bound("a lens", square, 3, 3);
   const std::vector<std::array<std::size_t, 3> > tetrahedron
     = {{{0, 1, 2}}, {{0, 2, 3}}, {{0, 3, 1}}, {{1, 3, 2}}};
-  failures += check_bound("a sphere", mesh_of(4, tetrahedron), 6);
-  failures += check_bound("a ring", mesh_of(6, bands(1, false)), 4);
-  failures += check_bound("a torus", mesh_of(9, bands(3, true)), 1);
+  failures += check_bound("a sphere", mesh_of(4, tetrahedron), 6, 6);
+  failures += check_bound("a ring", mesh_of(6, bands(1, false)), 4, 4);
+  failures += check_bound("a torus", mesh_of(9, bands(3, true)), 1, 1);
   // two spheres
   std::vector<std::array<std::size_t, 3> > two = tetrahedron;
   for(const auto& t : tetrahedron)
     two.push_back({{t[0] + 4, t[1] + 4, t[2] + 4}});
-  failures += check_bound("two spheres", mesh_of(8, two), 12);
+  failures += check_bound("two spheres", mesh_of(8, two), 12, 12);
+  // Euler characteristic -1 and twelve sides; at least four vertices of valence 5
+  failures += check_bound("a plate with two holes", plate_with_holes(2), 7, 11);
+  // eight vertices of valence 5, or one of valence 12
+  failures += check_bound("a double torus", mesh_of(18, double_torus()), 3, 10);
   return failures;
 }
 

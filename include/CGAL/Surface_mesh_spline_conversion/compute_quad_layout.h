@@ -255,8 +255,9 @@ private:
 
   int number_of_quads() const { return m_quads.quads().number_of_quads(); }
 
-  // The surface may turn so much within a quad that the flat one is inverted. Quads are made
-  // smaller there, on the same mesh, as long as this leaves fewer that are inverted.
+  // The surface may turn so much within a quad that the flat one is inverted, or a quad winds around
+  // a thin part. Quads are made smaller there, on the same mesh, and where the smaller ones are
+  // inverted in turn. The layout with the fewest inverted quads is kept.
   Error_code replace_inverted_quads()
   {
     const int most_attempts = 3;
@@ -266,17 +267,21 @@ private:
     Field_attempt attempt = m_attempt;
     attempt.size_shares.assign(faces.size(), 1);
     std::vector<std::size_t> inverted = inverted_quads(m_layout, faces);
+    std::size_t least_number = inverted.size();
+    std::set<std::size_t> places = faces_below(inverted);
     Error_code code = Error_code::OK;
-    bool is_better = true;
-    for(int i = 0; i < most_attempts && is_better && code == Error_code::OK && !inverted.empty(); ++i)
+    for(int i = 0; i < most_attempts && code == Error_code::OK && least_number > 0; ++i)
     {
-      halve_shares(inverted, attempt.size_shares);
+      for(const std::size_t f : places)
+        attempt.size_shares[f] /= 2;
+      bool is_better = false;
       code = try_instead(attempt, is_better, [&]()
       {
-        const std::size_t number = inverted.size();
         const Error_code extraction_code = extract_layout();
         inverted = inverted_quads(m_layout, faces);
-        is_better = inverted.size() < number;
+        places = faces_below(inverted);
+        is_better = inverted.size() < least_number;
+        least_number = (std::min)(least_number, inverted.size());
         return extraction_code;
       });
     }
@@ -319,8 +324,8 @@ private:
     return result;
   }
 
-  // Halves the shares of the faces where some quads have samples.
-  void halve_shares(const std::vector<std::size_t>& quads, std::vector<double>& shares) const
+  // the faces where some quads of the layout have samples
+  std::set<std::size_t> faces_below(const std::vector<std::size_t>& quads) const
   {
     const int n = 4;
     std::set<std::size_t> faces;
@@ -328,8 +333,7 @@ private:
       for(int i = 0; i <= n; ++i)
         for(int j = 0; j <= n; ++j)
           faces.insert(m_layout.inverse_map()(q, i / double(n), j / double(n)).face);
-    for(const std::size_t f : faces)
-      shares[f] /= 2;
+    return faces;
   }
 
   Error_code try_to_map(const Field_attempt& attempt, int most_repairs)
@@ -392,8 +396,9 @@ have folds, finer proxies are tried; then the mesh itself in place of a proxy, o
 round. The mesh itself comes before finer proxies if it has fewer faces than its proxy. Where there are
 more than twice the quads that size, loops and handles need, smaller distances of the singularities are
 tried as well, and the layout with the fewest quads is kept. Where quads
-of the layout are inverted when they are drawn flat, smaller ones are tried around them; the result
-is kept if fewer are inverted. What cannot fail comes last, if there is no map: the mesh is
+of the layout are inverted when they are drawn flat, smaller ones are tried around them, and around
+those that are inverted then; the layout with the fewest of them is kept. What cannot fail comes last,
+if there is no map: the mesh is
 coarsened, a ring of quads is laid along each boundary loop, and each triangle in between is divided
 into three quads. Such a layout is valid, but has many extraordinary points; its corners are regular
 vertices even where the boundary is convex.

@@ -43,13 +43,13 @@ inline double scaled_jacobian(const std::array<Eigen::Vector3d, 4>& p)
 }
 
 // The scaled Jacobian of a quad of a surface with the given normal near its middle. If the quad
-// faces the wrong side: the cosine of its angle with the surface, if that is smaller.
+// does not face the same side: the cosine of its angle with the surface, if that is smaller.
 inline double oriented_scaled_jacobian(const std::array<Eigen::Vector3d, 4>& p,
                                        const Eigen::Vector3d& outside)
 {
   const double jacobian = scaled_jacobian(p);
   const double cosine = quad_normal(p).normalized().dot(outside.normalized());
-  return cosine < 0 ? (std::min)(jacobian, cosine) : jacobian;
+  return cosine <= 0 ? (std::min)(jacobian, cosine) : jacobian;
 }
 
 } // namespace internal
