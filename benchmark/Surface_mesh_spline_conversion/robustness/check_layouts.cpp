@@ -164,7 +164,8 @@ void print_line(const std::string& name, const Record& record)
     std::printf(" %6.2f s %s", record.number("seconds"), stage_times(record).c_str());
   if(!record.get("quads").empty())
     std::printf(" %6.0f quads (x %.2f, at least %.0f, %.0f with valences 3 to 5), %3.0f EP, "
-                "sj %.2f/%.2f, angle %.0f/%.0f, size %.2f/%.2f/%.2f, stretch %.2f/%.1f, %.0f inverted, rung: %s",
+                "sj %.2f/%.2f, angle %.0f/%.0f, size %.2f/%.2f/%.2f, stretch %.2f/%.1f, "
+                "%.0f inverted, rung: %s",
                 record.number("quads"), record.number("relative_count"),
                 record.number("least_quads"), record.number("least_quads_with_low_valences"),
                 record.number("extraordinary_points"),
