@@ -373,7 +373,7 @@ private:
     return m_options.interior_tolerance + (Conversion_report::is_measured(height) ? height : 0);
   }
 
-  // The measurements do not depend on how pieces are merged to faces.
+  // Faces that are merged better are the same surface, with other edges at which normals are compared.
   NURBS_shell_3<Kernel> extract_shell(const Surface& surface,
                                       const Component_network& network) const
   {

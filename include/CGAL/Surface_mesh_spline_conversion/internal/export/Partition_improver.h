@@ -145,13 +145,13 @@ private:
     const std::size_t number_of_faces = m_faces.size() - m_first_movable;
     if(number_of_faces < 2)
       return 0;
-    const double n = double(NUMBER_OF_MOVES + NUMBER_OF_MOVES_PER_FACE * number_of_faces);
+    const std::size_t n = NUMBER_OF_MOVES + NUMBER_OF_MOVES_PER_FACE * number_of_faces;
     CGAL::Random random(0);
     double sum = 0;
-    for(double i = 0; i < n; ++i)
+    for(std::size_t i = 0; i < n; ++i)
     {
-      const double temperature
-        = FIRST_TEMPERATURE * std::pow(LAST_TEMPERATURE / FIRST_TEMPERATURE, i / n);
+      const double temperature = FIRST_TEMPERATURE
+        * std::pow(LAST_TEMPERATURE / FIRST_TEMPERATURE, double(i) / double(n));
       const std::size_t f
         = m_first_movable + random.get_int(0, int(m_faces.size() - m_first_movable));
       begin_move();
