@@ -73,9 +73,6 @@ public:
       .rowwise().norm().maxCoeff();
   }
 
-  /// returns the number of degrees of freedom that the equations leave
-  int number_of_free_points() const { return m_number_of_free_points; }
-
   /// the values of the Bernstein polynomials of `degree` at `t`
   static Eigen::VectorXd bernstein(int degree, double t)
   {
@@ -235,9 +232,9 @@ private:
     Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> cod;
     cod.setThreshold(RANK_THRESHOLD);
     cod.compute(m_equations.topRows(exact));
-    m_number_of_free_points = unknowns - int(cod.rank());
-    Eigen::MatrixXd kernel = Eigen::MatrixXd::Zero(unknowns, m_number_of_free_points);
-    kernel.bottomRows(m_number_of_free_points).setIdentity();
+    const int free_points = unknowns - int(cod.rank());
+    Eigen::MatrixXd kernel = Eigen::MatrixXd::Zero(unknowns, free_points);
+    kernel.bottomRows(free_points).setIdentity();
     kernel = (cod.colsPermutation() * (cod.matrixZ().transpose() * kernel)).eval();
     const Eigen::MatrixXd particular = cod.solve(m_right_hand_side.topRows(exact));
 
@@ -256,7 +253,6 @@ private:
   int m_valence;
   bool m_is_smooth;
   int m_number_of_exact_equations = 0;
-  int m_number_of_free_points = 0;
   Eigen::MatrixXd m_equations;       // the exact ones first
   Eigen::MatrixXd m_right_hand_side; // from the ribbons
   Eigen::MatrixXd m_objective;       // samples, then fairness

@@ -201,13 +201,6 @@ public:
     return frame_across(here(use).quad_side, across(use).quad_side);
   }
 
-  /// the vertex of the complex at a point of a quad, or `NO_INDEX`
-  std::size_t vertex_at(std::size_t quad, const Tick_point& p) const
-  {
-    auto it = m_vertices.find(canonical_point(quad, p));
-    return it == m_vertices.end() ? NO_INDEX : it->second;
-  }
-
 private:
   // (quad, -1 - side) of a line between two quads, or (quad, axis, coordinate) of a line inside
   typedef std::tuple<std::size_t, int, std::int64_t> Line;
