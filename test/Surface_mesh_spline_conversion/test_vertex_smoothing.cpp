@@ -3,7 +3,8 @@
 // quad becomes inverted. By closed forms, without the measures of the library: all corners of all
 // displaced quads turn left after the motion, which fixes the boundary and keeps the orientation;
 // without displacement, nothing moves. Nor are quads left inverted where the square is pinched,
-// which short motions cannot repair.
+// which short motions cannot repair. Where the map has the priority, no quad becomes intolerably
+// uneven by the motions.
 
 #include "voxel_seamless_maps.h"
 
@@ -16,6 +17,7 @@
 #include <cassert>
 #include <cmath>
 #include <cstdint>
+#include <vector>
 
 using namespace Test;
 using internal::Quad_grid;
@@ -185,6 +187,47 @@ void test_displaced_quads()
   check_boundary(smoothing);
 }
 
+// of a map to the surface, in a quad
+template <typename Place>
+double evenness_of(int q, const Place& place)
+{
+  std::vector<Surface_sample> samples;
+  const double cells = internal::samples_per_side - 1;
+  for(int j = 0; j < internal::samples_per_side; ++j)
+    for(int i = 0; i < internal::samples_per_side; ++i)
+      samples.push_back(Surface_sample{place(q, i / cells, j / cells), Eigen::Vector3d::UnitZ()});
+  return internal::evenness(samples);
+}
+
+// the least evenness after the motions of the quads that are less even than before, where the square
+// is pinched
+double least_lost_evenness(Vertex_smoothing::Priority priority)
+{
+  Seamless_map map = make_square();
+  for(Eigen::Vector3d& p : map.mesh.points)
+    p = pinched(p);
+  const Vertex_smoothing smoothing(
+    map, make_quads(), [&](const Working_location& at) { return surface_sample(map.mesh, at); },
+    [](int q, double u, double v) { return locate(q, u, v); }, priority);
+  double least = 1;
+  for(int q = 0; q < size * size; ++q)
+  {
+    const double before = evenness_of(q, [&](int quad, double u, double v)
+      { return point_at(map.mesh, locate(quad, u, v)); });
+    const double after = evenness_of(q, [&](int quad, double u, double v)
+      { return point_at(map.mesh, smoothing(locate(quad, u, v))); });
+    if(after < before)
+      least = (std::min)(least, after);
+  }
+  return least;
+}
+
+void test_priorities()
+{
+  assert(least_lost_evenness(Vertex_smoothing::Priority::FLAT_QUADS) < 0.1);
+  assert(least_lost_evenness(Vertex_smoothing::Priority::EVEN_MAP) >= 0.1);
+}
+
 // short motions in disks around the corners leave quads inverted here
 void test_pinched_quads()
 {
@@ -197,7 +240,7 @@ void test_pinched_quads()
   const auto image = [&](const Working_location& at)
   { return surface_sample(map.mesh, at); };
   const Vertex_smoothing smoothing(map, grid, image, [](int q, double u, double v)
-    { return locate(q, u, v); });
+    { return locate(q, u, v); }, Vertex_smoothing::Priority::FLAT_QUADS);
 
   assert(least_sine([&](int q, double u, double v) { return image(locate(q, u, v)).point; }) < 0);
   assert(least_sine([&](int q, double u, double v)
@@ -227,5 +270,6 @@ int main()
   test_displaced_quads();
   test_pinched_quads();
   test_undisplaced_quads();
+  test_priorities();
   return 0;
 }

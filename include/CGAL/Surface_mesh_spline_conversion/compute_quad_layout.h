@@ -28,7 +28,10 @@
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/number_utils.h>
 
+#include <Eigen/Core>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <iomanip>
@@ -221,11 +224,12 @@ private:
     return code;
   }
 
-  Error_code extract_layout()
+  Error_code extract_layout(Vertex_smoothing::Priority priority
+                              = Vertex_smoothing::Priority::EVEN_MAP)
   {
     return run_stage("quad_layout", m_visitor, m_report, [&]()
     {
-      set_mapped_layout(std::move(m_quads), m_map, m_tm, m_layout, m_np);
+      set_mapped_layout(std::move(m_quads), m_map, m_tm, priority, m_layout, m_np);
       return Error_code::OK;
     });
   }
@@ -285,6 +289,19 @@ private:
         return extraction_code;
       });
     }
+    return code == Error_code::OK && least_number > 0 ? favor_flat_quads(faces, least_number) : code;
+  }
+
+  // Where smaller quads do not help, the map may be squeezed so that fewer flat quads are inverted.
+  Error_code favor_flat_quads(const std::vector<std::array<Eigen::Vector3d, 3> >& faces,
+                              std::size_t number_of_inverted)
+  {
+    Quad_layout<GeomTraits> layout = m_layout;
+    Error_code code = find_quads(m_map, m_quads);
+    if(code == Error_code::OK)
+      code = extract_layout(Vertex_smoothing::Priority::FLAT_QUADS);
+    if(code == Error_code::OK && inverted_quads(m_layout, faces).size() >= number_of_inverted)
+      m_layout = std::move(layout);
     return code;
   }
 

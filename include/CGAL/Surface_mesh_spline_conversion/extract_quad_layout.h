@@ -139,7 +139,8 @@ inline Error_code find_quads(const Integer_grid_map& map, Mapped_quads& quads)
 // The layout of the quads of a map, after motions that give them better shapes.
 template <typename TriangleMesh, typename GeomTraits, typename NamedParameters>
 void set_mapped_layout(Mapped_quads quads, const Integer_grid_map& map, const TriangleMesh& tm,
-                       Quad_layout<GeomTraits>& layout, const NamedParameters& np)
+                       Vertex_smoothing::Priority priority, Quad_layout<GeomTraits>& layout,
+                       const NamedParameters& np)
 {
   const auto vpm = parameters::choose_parameter(
     parameters::get_parameter(np, internal_np::vertex_point),
@@ -148,13 +149,14 @@ void set_mapped_layout(Mapped_quads quads, const Integer_grid_map& map, const Tr
   const auto corners = face_corners(tm, vpm);
   if(!map.proxy)
   {
-    quads.smooth(map, [&](const Working_location& at) { return surface_sample(mesh, at); });
+    quads.smooth(map, [&](const Working_location& at) { return surface_sample(mesh, at); },
+                 priority);
     set_layout(std::move(quads), mesh, corners, layout);
     return;
   }
   const auto image = std::make_shared<const Proxy_image>(mesh, map.proxy);
   quads.smooth(map, [&](const Working_location& at)
-    { return surface_sample(image->original(), (*image)(at)); });
+    { return surface_sample(image->original(), (*image)(at)); }, priority);
   const Quad_grid grid = quads.quads();
   set_layout(grid, mesh, map.proxy->mesh.number_of_vertices(),
              std::make_shared<const Proxy_inverse_map<GeomTraits> >(std::move(quads), image,
@@ -218,7 +220,8 @@ Error_code extract_quad_layout(const Integer_grid_map& map, const TriangleMesh& 
   internal::Mapped_quads quads;
   const Error_code code = internal::find_quads(map, quads);
   if(code == Error_code::OK)
-    internal::set_mapped_layout(std::move(quads), map, tm, layout, np);
+    internal::set_mapped_layout(std::move(quads), map, tm,
+                                internal::Vertex_smoothing::Priority::EVEN_MAP, layout, np);
   return code;
 }
 

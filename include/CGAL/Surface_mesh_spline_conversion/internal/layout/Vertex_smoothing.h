@@ -13,6 +13,7 @@
 
 #include <CGAL/Surface_mesh_spline_conversion/internal/layout/Harmonic_disk.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/layout/Quad_grid.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/layout/evenness.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/layout/scaled_jacobian.h>
 
 #include <Eigen/Core>
@@ -25,18 +26,13 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_spline_conversion {
 namespace internal {
-
-// a point of a surface, and a normal of its face, of any length
-struct Surface_sample
-{
-  Eigen::Vector3d point, normal;
-};
 
 inline Surface_sample surface_sample(const Working_mesh& mesh, const Working_location& at)
 {
@@ -49,19 +45,26 @@ inline Surface_sample surface_sample(const Working_mesh& mesh, const Working_loc
 // within it, or where the projection from a proxy displaces its corners. Quads are judged where the
 // layout has them, which is not on the proxy. If some stay inverted, corners move farther: at a
 // place much thinner than a quad, a short motion in a disk around a corner is next to none.
+//
+// Several motions of the same corner may squeeze the map beside it so much that no surface follows
+// it without folds, though the flat quads are fine. Such motions are refused, unless flat quads have
+// the priority.
 class Vertex_smoothing
 {
 public:
   // from a point of the working mesh to the one of the layout's surface, and a normal there
   typedef std::function<Surface_sample(const Working_location&)> Image;
 
+  enum class Priority { EVEN_MAP, FLAT_QUADS };
+
   Vertex_smoothing() {}
 
   // `locate`: the point of the working mesh at the local coordinates of a quad, before the motions
   template <typename Locate>
   Vertex_smoothing(const Seamless_map& map, const Quad_grid& grid, const Image& image,
-                   const Locate& locate)
-    : m_motions_at(map.mesh.number_of_faces()), m_map(&map), m_grid(&grid), m_image(image)
+                   const Locate& locate, Priority priority = Priority::EVEN_MAP)
+    : m_motions_at(map.mesh.number_of_faces()), m_map(&map), m_grid(&grid), m_image(image),
+      m_locate(locate), m_priority(priority)
   {
     locate_vertices(locate);
     improve_all(tolerable_shape, Reach::NEAR);
@@ -88,6 +91,9 @@ public:
 private:
   // of a quad: see `oriented_scaled_jacobian()`
   static constexpr double tolerable_shape = 0.15;
+
+  // of the map in a quad: see `evenness()`
+  static constexpr double tolerable_evenness = 0.1;
 
   // disks around the corner and short motions; disks beside it and motions through all of the disk
   enum class Reach { NEAR, FAR };
@@ -145,6 +151,7 @@ private:
     m_map = nullptr;
     m_grid = nullptr;
     m_image = Image();
+    m_locate = nullptr;
     m_vertices.clear();
     m_points.clear();
     m_middles.clear();
@@ -319,7 +326,8 @@ private:
     });
   }
 
-  // Moves all that lies in the disk if this makes the worst of the quads that change better.
+  // Moves all that lies in the disk if this makes the worst of the quads that change better, and
+  // leaves the map tolerable.
   bool accept(const std::shared_ptr<const Harmonic_disk>& disk, Failure& failure)
   {
     const auto is_at = [&](const Working_location& at)
@@ -343,7 +351,7 @@ private:
       move_vertex(v, (*disk)(m_vertices[v]));
     for(const int q : middles)
       move_middle(q, (*disk)(m_middles[q]));
-    if(!is_worst_change_better(before, shapes_of(quads)))
+    if(!is_worst_change_better(before, shapes_of(quads)) || squeezes(*disk, quads))
     {
       for(const int v : vertices)
         move_vertex(v, old_vertices[v]);
@@ -367,6 +375,27 @@ private:
     for(const int q : quads)
       shapes.push_back(shape_of(q));
     return shapes;
+  }
+
+  // Would the motion of a disk make the map in a quad less even, and intolerable?
+  bool squeezes(const Harmonic_disk& disk, const std::vector<int>& quads) const
+  {
+    if(m_priority == Priority::FLAT_QUADS)
+      return false;
+    const std::set<int> different(quads.begin(), quads.end());
+    return std::any_of(different.begin(), different.end(), [&](int q)
+    {
+      std::vector<Surface_sample> before, after;
+      for(int j = 0; j < samples_per_side; ++j)
+        for(int i = 0; i < samples_per_side; ++i)
+        {
+          const double cells = samples_per_side - 1;
+          const Working_location at = (*this)(m_locate(q, i / cells, j / cells));
+          before.push_back(m_image(at));
+          after.push_back(m_image(disk(at)));
+        }
+      return evenness(after) < (std::min)(tolerable_evenness, evenness(before));
+    });
   }
 
   // Compares the least of the values that differ.
@@ -405,6 +434,8 @@ private:
   const Seamless_map* m_map = nullptr;
   const Quad_grid* m_grid = nullptr;
   Image m_image;
+  std::function<Working_location(int, double, double)> m_locate; // before the motions
+  Priority m_priority = Priority::EVEN_MAP;
   std::vector<Working_location> m_vertices;     // per vertex of the grid
   std::vector<Eigen::Vector3d> m_points;        // per vertex of the grid, on the layout's surface
   std::vector<Working_location> m_middles;      // per quad
