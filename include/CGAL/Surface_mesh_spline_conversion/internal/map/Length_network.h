@@ -14,9 +14,10 @@
 #include <CGAL/Surface_mesh_spline_conversion/internal/map/Motorcycle_graph.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <functional>
-#include <queue>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -86,11 +87,20 @@ public:
       for(const Occurrence& o : m_arcs[a])
         m_imbalance[o.equation] += o.sign * m_lengths[a];
     m_changes.clear();
+    update_all_step_costs();
   }
 
-  void set_targets(std::vector<double> targets) { m_targets = std::move(targets); }
+  void set_targets(std::vector<double> targets)
+  {
+    m_targets = std::move(targets);
+    update_all_step_costs();
+  }
 
-  void set_lower_bounds(std::vector<int> bounds) { m_lower_bounds = std::move(bounds); }
+  void set_lower_bounds(std::vector<int> bounds)
+  {
+    m_lower_bounds = std::move(bounds);
+    update_all_step_costs();
+  }
 
   // sum of (n - l)^2 / l over the lengths n and their targets l
   double cost() const
@@ -177,6 +187,16 @@ private:
     int stamp = 0;
   };
 
+  // A step of a walk: an arc changes by `amount`, so that `next` is reached, or the end of the walk
+  // if it is negative.
+  struct Step
+  {
+    Change change;
+    int next;
+  };
+
+  typedef std::pair<double, int> Queue_item; // distance, state
+
   // paid for every arc of a walk, so that costs are positive and walks short
   static constexpr double step_cost = 1.5;
   static constexpr double smallest_step_cost = 1e-3;
@@ -193,6 +213,41 @@ private:
     m_lengths.assign(m_arcs.size(), 0);
     m_lower_bounds.assign(m_arcs.size(), 0);
     m_labels.assign(2 * m_equations.size(), Label());
+    collect_steps();
+    m_step_costs.resize(m_arcs.size());
+    update_all_step_costs();
+  }
+
+  void collect_steps()
+  {
+    m_steps.clear();
+    m_first_step.assign(1, 0);
+    for(const std::vector<Occurrence>& occurrences : m_equations)
+      for(const int need : {-1, 1})
+      {
+        for(const Occurrence& o : occurrences)
+        {
+          const int amount = need * o.sign;
+          const Occurrence* other = other_occurrence(o);
+          m_steps.push_back(Step{Change{o.arc, amount}, other == nullptr
+            ? -1 : state(other->equation, -other->sign * amount)});
+        }
+        m_first_step.push_back(static_cast<int>(m_steps.size()));
+      }
+  }
+
+  void update_all_step_costs()
+  {
+    for(int a = 0; a < number_of_arcs(); ++a)
+      update_step_costs(a);
+  }
+
+  void update_step_costs(int arc)
+  {
+    for(const int amount : {-1, 1})
+      m_step_costs[arc][amount > 0] = m_lengths[arc] + amount < m_lower_bounds[arc]
+        ? std::numeric_limits<double>::infinity()
+        : (std::max)(smallest_step_cost, marginal_cost(arc, amount) + step_cost);
   }
 
   void add_occurrence(int arc, int equation, int sign)
@@ -208,6 +263,7 @@ private:
     m_lengths[arc] += amount;
     for(const Occurrence& o : m_arcs[arc])
       m_imbalance[o.equation] += o.sign * amount;
+    update_step_costs(arc);
   }
 
   void add_change(int arc, int amount)
@@ -242,42 +298,45 @@ private:
   bool find_walk(int equation, int banned, int& last_state, Change& last_change)
   {
     ++m_stamp;
-    typedef std::pair<double, int> Item;
-    std::priority_queue<Item, std::vector<Item>, std::greater<Item> > queue;
     const int start = state(equation, -m_imbalance[equation]);
     m_labels[start] = Label{0, -1, Change{-1, 0}, m_stamp};
-    queue.emplace(0, start);
-    while(!queue.empty())
+    m_queue.assign(1, Queue_item(0, start));
+    while(!m_queue.empty())
     {
-      const Item item = queue.top();
-      queue.pop();
+      const Queue_item item = pop_nearest();
       const int s = item.second;
       if(item.first > m_labels[s].distance)
         continue;
-      const int need = (s & 1) ? 1 : -1;
-      for(const Occurrence& o : m_equations[s / 2])
+      for(int i = m_first_step[s]; i < m_first_step[s + 1]; ++i)
       {
-        const Change c{o.arc, need * o.sign};
-        if(o.arc == banned || m_lengths[o.arc] + c.amount < m_lower_bounds[o.arc])
+        const Step& step = m_steps[i];
+        const double cost = m_step_costs[step.change.arc][step.change.amount > 0];
+        if(step.change.arc == banned || cost == std::numeric_limits<double>::infinity())
           continue;
-        const Occurrence* other = other_occurrence(o);
-        if(other == nullptr || is_welcome(*other, c.amount, equation))
+        if(step.next < 0 || is_welcome(step.next, equation))
         {
           last_state = s;
-          last_change = c;
+          last_change = step.change;
           return true;
         }
-        const int next = state(other->equation, -other->sign * c.amount);
-        const double distance = item.first
-          + (std::max)(smallest_step_cost, marginal_cost(o.arc, c.amount) + step_cost);
-        Label& label = m_labels[next];
+        const double distance = item.first + cost;
+        Label& label = m_labels[step.next];
         if(label.stamp == m_stamp && label.distance <= distance)
           continue;
-        label = Label{distance, s, c, m_stamp};
-        queue.emplace(distance, next);
+        label = Label{distance, s, step.change, m_stamp};
+        m_queue.emplace_back(distance, step.next);
+        std::push_heap(m_queue.begin(), m_queue.end(), std::greater<Queue_item>());
       }
     }
     return false;
+  }
+
+  Queue_item pop_nearest()
+  {
+    std::pop_heap(m_queue.begin(), m_queue.end(), std::greater<Queue_item>());
+    const Queue_item item = m_queue.back();
+    m_queue.pop_back();
+    return item;
   }
 
   // the occurrence of an arc besides `o`, or null
@@ -290,14 +349,11 @@ private:
     return &both[is_first ? 1 : 0];
   }
 
-  // `true` if a change of an arc reduces the imbalance of the equation of `o`
-  bool is_welcome(const Occurrence& o, int amount, int start) const
+  // `true` if the imbalance of an equation is what a walk from `start` needs there in its last state
+  bool is_welcome(int last_state, int start) const
   {
-    const int imbalance = m_imbalance[o.equation];
-    const int change = o.sign * amount;
-    if(imbalance == 0 || (imbalance > 0) == (change > 0))
-      return false;
-    return o.equation != start || imbalance > 1 || imbalance < -1;
+    const int imbalance = m_imbalance[last_state / 2] * ((last_state & 1) ? 1 : -1);
+    return imbalance > (last_state / 2 == start ? 1 : 0);
   }
 
   std::vector<double> m_targets;
@@ -309,6 +365,10 @@ private:
   std::vector<Change> m_changes;
   double m_pending_cost = 0;
   std::vector<Label> m_labels;  // per state
+  std::vector<Step> m_steps;    // from the states
+  std::vector<int> m_first_step;
+  std::vector<std::array<double, 2> > m_step_costs; // per arc: shorter and longer by one
+  std::vector<Queue_item> m_queue;
   int m_stamp = 0;
 };
 
