@@ -12,11 +12,10 @@
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
 #include <CGAL/Surface_mesh_spline_conversion/internal/map/Motorcycle_graph.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/map/Walk_search.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
-#include <functional>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -172,30 +171,7 @@ public:
   }
 
 private:
-  struct Change
-  {
-    int arc;
-    int amount;
-  };
-
-  // A state of a walk: the balance of an equation has to change by `need`.
-  struct Label
-  {
-    double distance;
-    int previous;               // state
-    Change change;              // that led here
-    int stamp = 0;
-  };
-
-  // A step of a walk: an arc changes by `amount`, so that `next` is reached, or the end of the walk
-  // if it is negative.
-  struct Step
-  {
-    Change change;
-    int next;
-  };
-
-  typedef std::pair<double, int> Queue_item; // distance, state
+  typedef Walk_search::Change Change;
 
   // paid for every arc of a walk, so that costs are positive and walks short
   static constexpr double step_cost = 1.5;
@@ -212,28 +188,24 @@ private:
     m_imbalance.assign(m_equations.size(), 0);
     m_lengths.assign(m_arcs.size(), 0);
     m_lower_bounds.assign(m_arcs.size(), 0);
-    m_labels.assign(2 * m_equations.size(), Label());
     collect_steps();
-    m_step_costs.resize(m_arcs.size());
     update_all_step_costs();
   }
 
   void collect_steps()
   {
-    m_steps.clear();
-    m_first_step.assign(1, 0);
-    for(const std::vector<Occurrence>& occurrences : m_equations)
+    std::vector<std::vector<Walk_search::Step> > steps(2 * m_equations.size());
+    for(std::size_t e = 0; e < m_equations.size(); ++e)
       for(const int need : {-1, 1})
-      {
-        for(const Occurrence& o : occurrences)
+        for(const Occurrence& o : m_equations[e])
         {
           const int amount = need * o.sign;
           const Occurrence* other = other_occurrence(o);
-          m_steps.push_back(Step{Change{o.arc, amount}, other == nullptr
-            ? -1 : state(other->equation, -other->sign * amount)});
+          steps[state(static_cast<int>(e), need)].push_back(
+            Walk_search::Step{Change{o.arc, amount}, other == nullptr
+              ? -1 : state(other->equation, -other->sign * amount)});
         }
-        m_first_step.push_back(static_cast<int>(m_steps.size()));
-      }
+    m_find_walk.set_steps(steps, m_arcs.size());
   }
 
   void update_all_step_costs()
@@ -245,9 +217,9 @@ private:
   void update_step_costs(int arc)
   {
     for(const int amount : {-1, 1})
-      m_step_costs[arc][amount > 0] = m_lengths[arc] + amount < m_lower_bounds[arc]
+      m_find_walk.set_cost(Change{arc, amount}, m_lengths[arc] + amount < m_lower_bounds[arc]
         ? std::numeric_limits<double>::infinity()
-        : (std::max)(smallest_step_cost, marginal_cost(arc, amount) + step_cost);
+        : (std::max)(smallest_step_cost, marginal_cost(arc, amount) + step_cost));
   }
 
   void add_occurrence(int arc, int equation, int sign)
@@ -276,67 +248,26 @@ private:
   static int state(int equation, int need) { return 2 * equation + (need > 0 ? 1 : 0); }
 
   // Reduces the imbalance of an equation by one by changing lengths along a shortest walk to a
-  // boundary arc or to an equation with the opposite imbalance. The arc `banned` is not used.
+  // boundary arc or to an equation with the opposite imbalance. The arc `banned` is not used; only
+  // its equations are out of balance then.
   bool augment(int equation, int banned)
   {
-    int last_state = -1;
-    Change last_change{-1, 0};
-    if(!find_walk(equation, banned, last_state, last_change))
+    const auto is_end = [this, equation](int state) { return is_welcome(state, equation); };
+    std::vector<int> ends;
+    if(banned >= 0 && !m_find_walk.has_open_ends())
+      for(const Occurrence& o : m_arcs[banned])
+        for(const int need : {-1, 1})
+          if(is_end(state(o.equation, need)))
+            ends.push_back(state(o.equation, need));
+    if(!m_find_walk(state(equation, -m_imbalance[equation]), banned, is_end, ends, m_walk))
       return false;
-    std::vector<Change> walk(1, last_change);
-    for(int s = last_state; m_labels[s].previous >= 0; s = m_labels[s].previous)
-      walk.push_back(m_labels[s].change);
-    for(const Change& c : walk)
+    for(const Change& c : m_walk)
       add_change(c.arc, c.amount);
     // a walk may use an arc twice
-    for(const Change& c : walk)
+    for(const Change& c : m_walk)
       if(m_lengths[c.arc] < m_lower_bounds[c.arc])
         return false;
     return true;
-  }
-
-  bool find_walk(int equation, int banned, int& last_state, Change& last_change)
-  {
-    ++m_stamp;
-    const int start = state(equation, -m_imbalance[equation]);
-    m_labels[start] = Label{0, -1, Change{-1, 0}, m_stamp};
-    m_queue.assign(1, Queue_item(0, start));
-    while(!m_queue.empty())
-    {
-      const Queue_item item = pop_nearest();
-      const int s = item.second;
-      if(item.first > m_labels[s].distance)
-        continue;
-      for(int i = m_first_step[s]; i < m_first_step[s + 1]; ++i)
-      {
-        const Step& step = m_steps[i];
-        const double cost = m_step_costs[step.change.arc][step.change.amount > 0];
-        if(step.change.arc == banned || cost == std::numeric_limits<double>::infinity())
-          continue;
-        if(step.next < 0 || is_welcome(step.next, equation))
-        {
-          last_state = s;
-          last_change = step.change;
-          return true;
-        }
-        const double distance = item.first + cost;
-        Label& label = m_labels[step.next];
-        if(label.stamp == m_stamp && label.distance <= distance)
-          continue;
-        label = Label{distance, s, step.change, m_stamp};
-        m_queue.emplace_back(distance, step.next);
-        std::push_heap(m_queue.begin(), m_queue.end(), std::greater<Queue_item>());
-      }
-    }
-    return false;
-  }
-
-  Queue_item pop_nearest()
-  {
-    std::pop_heap(m_queue.begin(), m_queue.end(), std::greater<Queue_item>());
-    const Queue_item item = m_queue.back();
-    m_queue.pop_back();
-    return item;
   }
 
   // the occurrence of an arc besides `o`, or null
@@ -364,12 +295,8 @@ private:
   std::vector<int> m_lower_bounds;
   std::vector<Change> m_changes;
   double m_pending_cost = 0;
-  std::vector<Label> m_labels;  // per state
-  std::vector<Step> m_steps;    // from the states
-  std::vector<int> m_first_step;
-  std::vector<std::array<double, 2> > m_step_costs; // per arc: shorter and longer by one
-  std::vector<Queue_item> m_queue;
-  int m_stamp = 0;
+  Walk_search m_find_walk;
+  std::vector<Change> m_walk;   // scratch
 };
 
 } // namespace internal
