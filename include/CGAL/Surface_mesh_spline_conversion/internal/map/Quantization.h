@@ -59,6 +59,10 @@ public:
 
   const std::vector<int>& lengths() const { return m_network.lengths(); }
 
+  // Lengths for smaller and smaller quads, found on the way to large ones: maps to them may be
+  // easier to find.
+  const std::vector<std::vector<int> >& finer_lengths() const { return m_finer_lengths; }
+
   // the wanted lengths in quads
   static std::vector<double> real_lengths(const Motorcycle_graph& graph, int fractional_bits)
   {
@@ -142,7 +146,9 @@ private:
     {
       set_scale(scale);
       descend_to_zeros();
+      m_finer_lengths.push_back(m_network.lengths());
     }
+    std::reverse(m_finer_lengths.begin(), m_finer_lengths.end());
     set_scale(1);
     descend_to_zeros();
     if(m_network.cost() > cost || !m_oracle(m_network.lengths()))
@@ -261,6 +267,7 @@ private:
   Quantization_oracle m_oracle;
   std::vector<std::vector<int> > m_loops;      // boundary arcs
   std::vector<int> m_positive_bounds;
+  std::vector<std::vector<int> > m_finer_lengths;
 };
 
 } // namespace internal
