@@ -1,6 +1,7 @@
 // Quantization of motorcycle graphs: the lengths solve the equations, give boundary loops enough
 // sides, are accepted at any coarseness; and the oracle rejects lengths that merge singularities or
-// let a boundary loop vanish, even if they solve all equations.
+// let a boundary loop vanish, even if they solve all equations. Searches from both ends find the same
+// walks as those from one.
 
 #include "voxel_seamless_maps.h"
 
@@ -8,6 +9,9 @@
 #include <CGAL/Surface_mesh_spline_conversion/internal/map/build_motorcycle_graph.h>
 
 #include <iostream>
+#include <limits>
+#include <random>
+#include <vector>
 
 namespace SC = CGAL::Surface_mesh_spline_conversion;
 using namespace Test;
@@ -182,6 +186,63 @@ void test_double_cover()
   check_lengths(graph, sums, 2);
 }
 
+using SC::internal::Walk_search;
+
+// a network without open ends, in which costs are often the same
+Walk_search random_network(int equations, int arcs, std::mt19937& random)
+{
+  std::vector<std::vector<Walk_search::Step> > steps(2 * equations);
+  for(int a = 0; a < arcs; ++a)
+  {
+    const int ends[2] = {int(random() % equations), int(random() % equations)};
+    const int signs[2] = {random() % 2 ? 1 : -1, random() % 2 ? 1 : -1};
+    for(int i = 0; i < 2; ++i)
+      for(int need : {-1, 1})
+      {
+        const int amount = need * signs[i];
+        const int next = 2 * ends[1 - i] + (-signs[1 - i] * amount > 0 ? 1 : 0);
+        steps[2 * ends[i] + (need > 0 ? 1 : 0)].push_back(
+          Walk_search::Step{Walk_search::Change{a, amount}, next});
+      }
+  }
+  Walk_search search;
+  search.set_steps(steps, arcs);
+  for(int a = 0; a < arcs; ++a)
+    for(int amount : {-1, 1})
+      search.set_cost(Walk_search::Change{a, amount},
+                      random() % 4 ? 0.1 * (1 + random() % 5)
+                                   : std::numeric_limits<double>::infinity());
+  return search;
+}
+
+void test_searches_from_both_ends()
+{
+  const int equations = 200, arcs = 400;
+  int found = 0, missed = 0;
+  std::size_t longest = 0;
+  std::mt19937 random(1);
+  for(int i = 0; i < 2000; ++i)
+  {
+    Walk_search search = random_network(equations, arcs, random);
+    const int start = random() % (2 * equations), end = random() % (2 * equations);
+    const int banned = random() % arcs;
+    const auto is_end = [end](int state) { return state == end; };
+    std::vector<Walk_search::Change> walk, same_walk;
+    const bool has_walk = search(start, banned, is_end, std::vector<int>(), walk);
+    const bool has_same_walk = search(start, banned, is_end, std::vector<int>(1, end), same_walk);
+    assert(has_walk == has_same_walk);
+    (has_walk ? found : missed) += 1;
+    if(!has_walk)
+      continue;
+    longest = (std::max)(longest, walk.size());
+    assert(walk.size() == same_walk.size());
+    for(std::size_t k = 0; k < walk.size(); ++k)
+      assert(walk[k].arc == same_walk[k].arc && walk[k].amount == same_walk[k].amount
+             && walk[k].arc != banned);
+  }
+  assert(found > 500 && missed > 50 && longest > 5);
+}
+
 } // namespace
 
 int main()
@@ -189,5 +250,6 @@ int main()
   test_voxels();
   test_collapsing_loops();
   test_double_cover();
+  test_searches_from_both_ends();
   return 0;
 }

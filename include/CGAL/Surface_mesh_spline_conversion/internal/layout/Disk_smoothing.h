@@ -75,6 +75,9 @@ private:
 
   // of a quad: see `shape_of()`
   static constexpr double good_shape = 0.5;
+  // of a disk: a quad with a long part in its middle has a good shape when it is drawn flat, but next
+  // to all of the surface lies below a small part of it then
+  static constexpr double largest_squeezed_share = 0.1;
 
   template <typename Locate>
   void locate_quads(const Locate& locate)
@@ -136,7 +139,8 @@ private:
     while(change.replaced.size() <= most_replaced)
     {
       const auto disk = std::make_shared<Harmonic_disk>(neighborhood, radius);
-      if(!disk->is_valid() || !disk->follow_map())
+      if(!disk->is_valid() || !disk->follow_map()
+         || disk->squeezed_share() > largest_squeezed_share)
         return false;
       change.disk.motion = disk;
       std::vector<int> met;

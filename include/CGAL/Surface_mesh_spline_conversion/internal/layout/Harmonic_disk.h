@@ -76,6 +76,22 @@ public:
     return m_source.is_embedded();
   }
 
+  // The share of the surface that loses nearly all of its area in the map by the motion: a part that
+  // sticks out becomes small when it is laid flat.
+  double squeezed_share() const
+  {
+    const double least_ratio = 1. / 64;
+    double squeezed = 0, all = 0;
+    for(int f = 0; f < m_mesh.number_of_faces(); ++f)
+    {
+      const double area = m_mesh.normal(f).norm();
+      all += area;
+      if(flat_area(m_target, f) < least_ratio * flat_area(m_source, f))
+        squeezed += area;
+    }
+    return squeezed / all;
+  }
+
   // The point with one place will move to another place, those between it and the boundary less.
   // Returns `false` if flat faces are inverted.
   bool shift(const Eigen::Vector2d& from, const Eigen::Vector2d& to)
@@ -183,6 +199,13 @@ private:
       result = c[0] * m_drag->to + c[1] * a + c[2] * b;
     }
     return result;
+  }
+
+  double flat_area(const Flat_triangles& triangles, int f) const
+  {
+    const std::array<int, 3>& t = m_mesh.triangles[f];
+    const std::vector<Eigen::Vector2d>& points = triangles.points();
+    return cross_product(points[t[1]] - points[t[0]], points[t[2]] - points[t[0]]) / 2;
   }
 
   // Does the middle of a face lie in another disk?

@@ -18,6 +18,7 @@
 #include <CGAL/Surface_mesh_spline_conversion/internal/map/build_motorcycle_graph.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/map/solve_integer_grid_map.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -49,15 +50,27 @@ public:
       m_result.message = "no integer lengths were found for the motorcycle graph";
       return false;
     }
-    const std::vector<int> positive_lengths = quantization.lengths();
-    quantization.allow_zeros();
-    if(solve_again(seamless, quantization.lengths())
-       || (quantization.lengths() != positive_lengths && solve_again(seamless, positive_lengths)))
-      return true;
-    return compose_rectangles(seamless, positive_lengths);
+    const std::vector<std::vector<int> > attempts = wanted_lengths(quantization);
+    for(const std::vector<int>& lengths : attempts)
+      if(solve_again(seamless, lengths))
+        return true;
+    return compose_rectangles(seamless, attempts.back());
   }
 
 private:
+  // from large quads to positive lengths, the present ones of `quantization`
+  static std::vector<std::vector<int> > wanted_lengths(Quantization& quantization)
+  {
+    const std::vector<int> positive_lengths = quantization.lengths();
+    quantization.allow_zeros();
+    std::vector<std::vector<int> > lengths(1, quantization.lengths());
+    const std::vector<std::vector<int> >& finer = quantization.finer_lengths();
+    lengths.insert(lengths.end(), finer.begin(), finer.end());
+    lengths.push_back(positive_lengths);
+    lengths.erase(std::unique(lengths.begin(), lengths.end()), lengths.end());
+    return lengths;
+  }
+
   void measure_area()
   {
     m_result.parameter_area = 0;

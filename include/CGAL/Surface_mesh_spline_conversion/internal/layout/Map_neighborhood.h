@@ -20,8 +20,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <unordered_map>
-#include <unordered_set>
 #include <vector>
 
 namespace CGAL {
@@ -45,7 +43,8 @@ public:
   // `radius`: how far away a face may be, in quads
   Map_neighborhood(const Seamless_map& map, const std::vector<Working_location>& places,
                    double radius)
-    : m_map(map), m_radius(radius)
+    : m_map(map), m_radius(radius), m_position(map.mesh.number_of_faces(), -1),
+      m_last_place(map.mesh.number_of_faces(), -1)
   {
     for(const Working_location& place : places)
       add_place(place);
@@ -54,9 +53,9 @@ public:
   // Adds the faces near a place, by way of their neighbours, in a chart with the place as origin.
   void add_place(const Working_location& place)
   {
-    std::unordered_set<int> is_known;
     std::vector<Placed_face> queue;
-    is_known.insert(place.face);
+    ++m_number_of_places;
+    is_first_visit(place.face);
     queue.push_back(Placed_face{place.face, 0, origin_at(place)});
     for(std::size_t i = 0; i < queue.size(); ++i)
     {
@@ -66,7 +65,7 @@ public:
       {
         const int o = m_map.mesh.opposite[h];
         if(o < 0 || distance_to_segment(p[h % 3], p[(h + 1) % 3]) > m_radius
-           || !is_known.insert(o / 3).second)
+           || !is_first_visit(o / 3))
           continue;
         queue.push_back(queue[i].across(m_map, h));
       }
@@ -81,8 +80,8 @@ public:
   int opposite(int h) const
   {
     const int o = m_map.mesh.opposite[3 * m_faces[h / 3].face + h % 3];
-    const auto entry = o < 0 ? m_position.end() : m_position.find(o / 3);
-    return entry == m_position.end() ? -1 : 3 * static_cast<int>(entry->second) + o % 3;
+    const int position = o < 0 ? -1 : m_position[o / 3];
+    return position < 0 ? -1 : 3 * position + o % 3;
   }
 
   // `true` if some of the boundary is not farther away than the radius
@@ -132,12 +131,23 @@ private:
 
   void add(const Face& face)
   {
-    const auto entry = m_position.emplace(face.face, m_faces.size());
-    if(entry.second)
+    int& position = m_position[face.face];
+    if(position < 0)
+    {
+      position = static_cast<int>(m_faces.size());
       m_faces.push_back(face);
-    else if(Positions& known = m_faces[entry.first->second].positions;
+    }
+    else if(Positions& known = m_faces[position].positions;
             middle(face.positions).norm() < middle(known).norm())
       known = face.positions;
+  }
+
+  // by way of the present place
+  bool is_first_visit(int face)
+  {
+    const bool is_first = m_last_place[face] != m_number_of_places;
+    m_last_place[face] = m_number_of_places;
+    return is_first;
   }
 
   static Eigen::Vector2d middle(const Positions& p) { return (p[0] + p[1] + p[2]) / 3; }
@@ -145,7 +155,9 @@ private:
   const Seamless_map& m_map;
   const double m_radius;
   std::vector<Face> m_faces;
-  std::unordered_map<int, std::size_t> m_position; // by face: in `m_faces`
+  std::vector<int> m_position;   // per face of the map: in `m_faces`, or -1
+  std::vector<int> m_last_place; // per face of the map: the last place that has reached it
+  int m_number_of_places = 0;
 };
 
 } // namespace internal

@@ -12,11 +12,11 @@
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
 #include <CGAL/Surface_mesh_spline_conversion/internal/map/Motorcycle_graph.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/map/Walk_search.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <functional>
-#include <queue>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -86,11 +86,20 @@ public:
       for(const Occurrence& o : m_arcs[a])
         m_imbalance[o.equation] += o.sign * m_lengths[a];
     m_changes.clear();
+    update_all_step_costs();
   }
 
-  void set_targets(std::vector<double> targets) { m_targets = std::move(targets); }
+  void set_targets(std::vector<double> targets)
+  {
+    m_targets = std::move(targets);
+    update_all_step_costs();
+  }
 
-  void set_lower_bounds(std::vector<int> bounds) { m_lower_bounds = std::move(bounds); }
+  void set_lower_bounds(std::vector<int> bounds)
+  {
+    m_lower_bounds = std::move(bounds);
+    update_all_step_costs();
+  }
 
   // sum of (n - l)^2 / l over the lengths n and their targets l
   double cost() const
@@ -162,20 +171,7 @@ public:
   }
 
 private:
-  struct Change
-  {
-    int arc;
-    int amount;
-  };
-
-  // A state of a walk: the balance of an equation has to change by `need`.
-  struct Label
-  {
-    double distance;
-    int previous;               // state
-    Change change;              // that led here
-    int stamp = 0;
-  };
+  typedef Walk_search::Change Change;
 
   // paid for every arc of a walk, so that costs are positive and walks short
   static constexpr double step_cost = 1.5;
@@ -192,7 +188,38 @@ private:
     m_imbalance.assign(m_equations.size(), 0);
     m_lengths.assign(m_arcs.size(), 0);
     m_lower_bounds.assign(m_arcs.size(), 0);
-    m_labels.assign(2 * m_equations.size(), Label());
+    collect_steps();
+    update_all_step_costs();
+  }
+
+  void collect_steps()
+  {
+    std::vector<std::vector<Walk_search::Step> > steps(2 * m_equations.size());
+    for(std::size_t e = 0; e < m_equations.size(); ++e)
+      for(const int need : {-1, 1})
+        for(const Occurrence& o : m_equations[e])
+        {
+          const int amount = need * o.sign;
+          const Occurrence* other = other_occurrence(o);
+          steps[state(static_cast<int>(e), need)].push_back(
+            Walk_search::Step{Change{o.arc, amount}, other == nullptr
+              ? -1 : state(other->equation, -other->sign * amount)});
+        }
+    m_find_walk.set_steps(steps, m_arcs.size());
+  }
+
+  void update_all_step_costs()
+  {
+    for(int a = 0; a < number_of_arcs(); ++a)
+      update_step_costs(a);
+  }
+
+  void update_step_costs(int arc)
+  {
+    for(const int amount : {-1, 1})
+      m_find_walk.set_cost(Change{arc, amount}, m_lengths[arc] + amount < m_lower_bounds[arc]
+        ? std::numeric_limits<double>::infinity()
+        : (std::max)(smallest_step_cost, marginal_cost(arc, amount) + step_cost));
   }
 
   void add_occurrence(int arc, int equation, int sign)
@@ -208,6 +235,7 @@ private:
     m_lengths[arc] += amount;
     for(const Occurrence& o : m_arcs[arc])
       m_imbalance[o.equation] += o.sign * amount;
+    update_step_costs(arc);
   }
 
   void add_change(int arc, int amount)
@@ -220,64 +248,26 @@ private:
   static int state(int equation, int need) { return 2 * equation + (need > 0 ? 1 : 0); }
 
   // Reduces the imbalance of an equation by one by changing lengths along a shortest walk to a
-  // boundary arc or to an equation with the opposite imbalance. The arc `banned` is not used.
+  // boundary arc or to an equation with the opposite imbalance. The arc `banned` is not used; only
+  // its equations are out of balance then.
   bool augment(int equation, int banned)
   {
-    int last_state = -1;
-    Change last_change{-1, 0};
-    if(!find_walk(equation, banned, last_state, last_change))
+    const auto is_end = [this, equation](int state) { return is_welcome(state, equation); };
+    std::vector<int> ends;
+    if(banned >= 0 && !m_find_walk.has_open_ends())
+      for(const Occurrence& o : m_arcs[banned])
+        for(const int need : {-1, 1})
+          if(is_end(state(o.equation, need)))
+            ends.push_back(state(o.equation, need));
+    if(!m_find_walk(state(equation, -m_imbalance[equation]), banned, is_end, ends, m_walk))
       return false;
-    std::vector<Change> walk(1, last_change);
-    for(int s = last_state; m_labels[s].previous >= 0; s = m_labels[s].previous)
-      walk.push_back(m_labels[s].change);
-    for(const Change& c : walk)
+    for(const Change& c : m_walk)
       add_change(c.arc, c.amount);
     // a walk may use an arc twice
-    for(const Change& c : walk)
+    for(const Change& c : m_walk)
       if(m_lengths[c.arc] < m_lower_bounds[c.arc])
         return false;
     return true;
-  }
-
-  bool find_walk(int equation, int banned, int& last_state, Change& last_change)
-  {
-    ++m_stamp;
-    typedef std::pair<double, int> Item;
-    std::priority_queue<Item, std::vector<Item>, std::greater<Item> > queue;
-    const int start = state(equation, -m_imbalance[equation]);
-    m_labels[start] = Label{0, -1, Change{-1, 0}, m_stamp};
-    queue.emplace(0, start);
-    while(!queue.empty())
-    {
-      const Item item = queue.top();
-      queue.pop();
-      const int s = item.second;
-      if(item.first > m_labels[s].distance)
-        continue;
-      const int need = (s & 1) ? 1 : -1;
-      for(const Occurrence& o : m_equations[s / 2])
-      {
-        const Change c{o.arc, need * o.sign};
-        if(o.arc == banned || m_lengths[o.arc] + c.amount < m_lower_bounds[o.arc])
-          continue;
-        const Occurrence* other = other_occurrence(o);
-        if(other == nullptr || is_welcome(*other, c.amount, equation))
-        {
-          last_state = s;
-          last_change = c;
-          return true;
-        }
-        const int next = state(other->equation, -other->sign * c.amount);
-        const double distance = item.first
-          + (std::max)(smallest_step_cost, marginal_cost(o.arc, c.amount) + step_cost);
-        Label& label = m_labels[next];
-        if(label.stamp == m_stamp && label.distance <= distance)
-          continue;
-        label = Label{distance, s, c, m_stamp};
-        queue.emplace(distance, next);
-      }
-    }
-    return false;
   }
 
   // the occurrence of an arc besides `o`, or null
@@ -290,14 +280,11 @@ private:
     return &both[is_first ? 1 : 0];
   }
 
-  // `true` if a change of an arc reduces the imbalance of the equation of `o`
-  bool is_welcome(const Occurrence& o, int amount, int start) const
+  // `true` if the imbalance of an equation is what a walk from `start` needs there in its last state
+  bool is_welcome(int last_state, int start) const
   {
-    const int imbalance = m_imbalance[o.equation];
-    const int change = o.sign * amount;
-    if(imbalance == 0 || (imbalance > 0) == (change > 0))
-      return false;
-    return o.equation != start || imbalance > 1 || imbalance < -1;
+    const int imbalance = m_imbalance[last_state / 2] * ((last_state & 1) ? 1 : -1);
+    return imbalance > (last_state / 2 == start ? 1 : 0);
   }
 
   std::vector<double> m_targets;
@@ -308,8 +295,8 @@ private:
   std::vector<int> m_lower_bounds;
   std::vector<Change> m_changes;
   double m_pending_cost = 0;
-  std::vector<Label> m_labels;  // per state
-  int m_stamp = 0;
+  Walk_search m_find_walk;
+  std::vector<Change> m_walk;   // scratch
 };
 
 } // namespace internal

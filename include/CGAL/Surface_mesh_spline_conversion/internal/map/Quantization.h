@@ -18,6 +18,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -57,6 +58,10 @@ public:
   }
 
   const std::vector<int>& lengths() const { return m_network.lengths(); }
+
+  // Lengths for smaller and smaller quads, found on the way to large ones: maps to them may be
+  // easier to find.
+  const std::vector<std::vector<int> >& finer_lengths() const { return m_finer_lengths; }
 
   // the wanted lengths in quads
   static std::vector<double> real_lengths(const Motorcycle_graph& graph, int fractional_bits)
@@ -141,7 +146,9 @@ private:
     {
       set_scale(scale);
       descend_to_zeros();
+      m_finer_lengths.push_back(m_network.lengths());
     }
+    std::reverse(m_finer_lengths.begin(), m_finer_lengths.end());
     set_scale(1);
     descend_to_zeros();
     if(m_network.cost() > cost || !m_oracle(m_network.lengths()))
@@ -207,22 +214,36 @@ private:
     return true;
   }
 
-  // Changes lengths by one as long as the cost falls, the worst arcs first.
+  // Changes lengths by one as long as the cost falls, the worst arcs first. What has failed is tried
+  // again only after something else has changed.
   void descend(bool use_oracle)
   {
+    int number_of_changes = 0;
+    std::vector<std::array<int, 2> > changes_before(m_targets.size(), {{-1, -1}});
     for(int pass = 0; pass < maximum_number_of_passes; ++pass)
     {
-      std::vector<std::pair<double, int> > by_excess;
-      for(int a = 0; a < m_network.number_of_arcs(); ++a)
-        by_excess.emplace_back(-m_network.excess(a), a);
-      std::sort(by_excess.begin(), by_excess.end());
-      bool has_changed = false;
-      for(const auto& entry : by_excess)
-        for(int change : {-1, 1})
-          has_changed = try_change(entry.second, change, use_oracle) || has_changed;
-      if(!has_changed)
+      const int changes_before_pass = number_of_changes;
+      for(const int arc : arcs_by_excess())
+        for(const int change : {-1, 1})
+        {
+          int& before = changes_before[arc][change > 0];
+          if(before != number_of_changes && try_change(arc, change, use_oracle))
+            ++number_of_changes;
+          else
+            before = number_of_changes;
+        }
+      if(number_of_changes == changes_before_pass)
         return;
     }
+  }
+
+  std::vector<int> arcs_by_excess() const
+  {
+    std::vector<int> arcs(m_targets.size());
+    std::iota(arcs.begin(), arcs.end(), 0);
+    std::stable_sort(arcs.begin(), arcs.end(), [this](int a, int b)
+      { return m_network.excess(a) > m_network.excess(b); });
+    return arcs;
   }
 
   bool try_change(int arc, int change, bool use_oracle)
@@ -246,6 +267,7 @@ private:
   Quantization_oracle m_oracle;
   std::vector<std::vector<int> > m_loops;      // boundary arcs
   std::vector<int> m_positive_bounds;
+  std::vector<std::vector<int> > m_finer_lengths;
 };
 
 } // namespace internal
