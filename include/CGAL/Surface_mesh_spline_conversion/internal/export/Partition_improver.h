@@ -98,12 +98,6 @@ private:
   static constexpr double LONG_FACE = 8;
   static constexpr double POINTS_PER_WIDTH = 4;
 
-  // Where the knots of a face are much denser than the cells along a side, those of the face beside
-  // it are much coarser, and searches of other programs for closest points stumble: what exceeds so
-  // many breaks per cell counts as so many points.
-  static constexpr double BREAKS_PER_CELL = 6;
-  static constexpr double POINTS_PER_BREAK = 8;
-
   // Grown faces are kept if less than this share of their cost is gained: they follow the rows of
   // quads, and beside them fewer others have much denser knots, which searches of other programs
   // for closest points stumble over.
@@ -129,8 +123,8 @@ private:
 
   bool is_movable(std::size_t face) const { return face >= m_first_movable; }
 
-  // of a face with so many breaks and extents along its axes, without its edges, as far as the cells
-  // along its sides do not matter; the knots of the B-splines are simple inside
+  // of a face with so many breaks and extents along its axes, without its edges; the knots of the
+  // B-splines are simple inside
   static double cost(const std::array<double, 2>& breaks, const std::array<double, 2>& extents)
   {
     const double widths = (std::max)(extents[0], extents[1]) / (std::min)(extents[0], extents[1]);
@@ -138,29 +132,11 @@ private:
          + POINTS_PER_WIDTH * (std::max)(0., widths - LONG_FACE);
   }
 
-  double cost(const Cell_block& block) const
+  static double cost(const Cell_block& block)
   {
-    double result = cost({{double(block.breaks[0].size()), double(block.breaks[1].size())}},
-                         {{double(block.rectangle.bounds.extent(0)),
-                           double(block.rectangle.bounds.extent(1))}});
-    for(int side = 0; side < 4; ++side)
-      result += cost_of_breaks(block.breaks[side & 1], side & 1, block.rim[side], Tick_frame());
-    return result;
-  }
-
-  // of the breaks along an axis, at the cells along a side in the plane that `frame` leads to
-  double cost_of_breaks(const std::vector<std::int64_t>& breaks, int axis,
-                        const std::vector<Placed_cell>& rim, const Tick_frame& frame) const
-  {
-    double result = 0;
-    for(const Placed_cell& placed : rim)
-    {
-      const Tick_rectangle r = frame(placed_rectangle(m_complex, placed));
-      const auto first = std::lower_bound(breaks.begin(), breaks.end(), r.low[axis]);
-      const auto last = std::lower_bound(first, breaks.end(), r.high[axis]);
-      result += POINTS_PER_BREAK * (std::max)(0., double(last - first) - BREAKS_PER_CELL);
-    }
-    return result;
+    return cost({{double(block.breaks[0].size()), double(block.breaks[1].size())}},
+                {{double(block.rectangle.bounds.extent(0)),
+                  double(block.rectangle.bounds.extent(1))}});
   }
 
   // returns the change of the cost
@@ -395,26 +371,16 @@ private:
   // at a vertex with two further edges, these become one.
   double change_by_joint(std::size_t f, int side, const Neighbor& n) const
   {
-    std::array<std::vector<std::int64_t>, 2> breaks;
-    std::array<double, 2> extents;
+    std::array<double, 2> breaks, extents;
     for(int axis = 0; axis < 2; ++axis)
     {
-      breaks[axis] = united(block(f).breaks[axis],
-                            placed_breaks(block(n.face), n.frame, axis));
+      breaks[axis] = double(united(block(f).breaks[axis],
+                                   placed_breaks(block(n.face), n.frame, axis)).size());
       extents[axis] = double(bounds(f).extent(axis));
     }
     extents[(side + 1) & 1] += double(n.frame(bounds(n.face)).extent((side + 1) & 1));
-    double result = cost({{double(breaks[0].size()), double(breaks[1].size())}}, extents)
-                  - m_faces[f]->cost - m_faces[n.face]->cost - POINTS_PER_EDGE;
-    for(int s = 0; s < 4; ++s)
-    {
-      const int axis = s & 1;
-      if(s != side)
-        result += cost_of_breaks(breaks[axis], axis, block(f).rim[s], Tick_frame());
-      if(s != ((side + 2) & 3))
-        result += cost_of_breaks(breaks[axis], axis, block(n.face).rim[(s - n.frame.turns) & 3],
-                                 n.frame);
-    }
+    double result = cost(breaks, extents) - m_faces[f]->cost - m_faces[n.face]->cost
+                  - POINTS_PER_EDGE;
     for(const Placed_cell& placed : block(f).rim[side])
     {
       const auto& uses = m_complex.uses(placed.cell, cell_side(placed, side));
