@@ -1,5 +1,6 @@
 // Merging of the pieces of a surface: on small grids with gaps, all partitions into rectangles are
-// tried, and their files measured; on large ones, the least number of rectangles is known.
+// tried, and their files measured; on large ones, the least number of rectangles is known. The
+// knots of faces side by side are similarly dense.
 #include <CGAL/Random.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh_spline_conversion/IO/STEP.h>
@@ -7,6 +8,7 @@
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/Shell_assembler.h>
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cstddef>
 #include <limits>
@@ -20,7 +22,10 @@ typedef CGAL::Simple_cartesian<double> K;
 
 const double EQUALITY = 1e-11;
 
-// A plane grid of quads of which some are missing. Quads have one cell, or four.
+// the numbers of cells along the axes of a quad
+typedef std::array<int, 2> Parts;
+
+// a plane grid of quads of which some are missing
 struct Grid
 {
   int width, height;
@@ -31,7 +36,7 @@ struct Grid
   std::vector<std::vector<std::size_t> > cells_of_quad;
 
   Grid(int width, int height, const std::vector<char>& is_there,
-       const std::vector<char>& is_quartered)
+       const std::vector<Parts>& parts)
     : width(width), height(height), quad(width * height, NO_INDEX)
   {
     for(int i = 0; i < width * height; ++i)
@@ -43,7 +48,7 @@ struct Grid
         {
           neighbors.push_back({{{at(x, y - 1), 2}, {at(x + 1, y), 3}, {at(x, y + 1), 0},
                                 {at(x - 1, y), 1}}});
-          add_cells(x, y, is_quartered[width * y + x] ? 2 : 1);
+          add_cells(x, y, parts[width * y + x]);
         }
   }
 
@@ -53,28 +58,38 @@ struct Grid
   }
 
 private:
-  void add_cells(int x, int y, int n)
+  void add_cells(int x, int y, const Parts& n)
   {
     cells_of_quad.emplace_back();
-    for(int j = 0; j < n; ++j)
-      for(int i = 0; i < n; ++i)
+    for(int j = 0; j < n[1]; ++j)
+      for(int i = 0; i < n[0]; ++i)
       {
         Cell cell;
         cell.quad = cell.patch = at(x, y);
-        cell.rectangle.low = {{i * QUAD_TICKS / n, j * QUAD_TICKS / n}};
-        cell.rectangle.high = {{(i + 1) * QUAD_TICKS / n, (j + 1) * QUAD_TICKS / n}};
+        cell.rectangle.low = {{i * QUAD_TICKS / n[0], j * QUAD_TICKS / n[1]}};
+        cell.rectangle.high = {{(i + 1) * QUAD_TICKS / n[0], (j + 1) * QUAD_TICKS / n[1]}};
         for(int k = 0; k < 16; ++k)
-          cell.points[k] = Eigen::Vector3d(x + (i + (k % 4) / 3.) / n, y + (j + (k / 4) / 3.) / n, 0);
+          cell.points[k] = Eigen::Vector3d(x + (i + (k % 4) / 3.) / n[0],
+                                           y + (j + (k / 4) / 3.) / n[1], 0);
         cells_of_quad.back().push_back(cells.size());
         cells.push_back(cell);
       }
   }
 };
 
+typedef SMSC::NURBS_shell_3<K> Shell;
+
+Shell make_shell(const Cell_complex& complex, const std::vector<Cell_rectangle>& faces,
+                 const std::vector<Face_breaks>& breaks)
+{
+  Shell shell;
+  Shell_assembler<K>(complex, {}, {})(faces, breaks, {}, shell);
+  return shell;
+}
+
 std::size_t size_of_file(const Cell_complex& complex, const std::vector<Cell_rectangle>& faces)
 {
-  SMSC::NURBS_shell_3<K> shell;
-  Shell_assembler<K>(complex, {}, {})(faces, {}, shell);
+  const Shell shell = make_shell(complex, faces, cell_breaks(complex, faces));
   std::ostringstream os;
   CGAL::IO::write_STEP(os, shell);
   return os.str().size();
@@ -159,14 +174,16 @@ void test_small_grids()
   double largest = 0, sum = 0;
   for(int g = 0; g < number_of_grids; ++g)
   {
-    std::vector<char> is_there, is_quartered;
+    std::vector<char> is_there;
+    std::vector<Parts> parts;
     for(int i = 0; i < width * height; ++i)
     {
       is_there.push_back(random.get_int(0, 5) > 0);
-      is_quartered.push_back(random.get_int(0, 4) == 0);
+      const int n = random.get_int(0, 4) == 0 ? 2 : 1;
+      parts.push_back({{n, n}});
     }
     is_there[0] = true;
-    const Grid grid(width, height, is_there, is_quartered);
+    const Grid grid(width, height, is_there, parts);
     const Cell_complex complex(grid.cells, grid.neighbors);
     const std::vector<Cell_rectangle> faces = Cell_merger(complex, EQUALITY)(Merging::BEST);
     check_partition(complex, faces);
@@ -189,7 +206,7 @@ std::size_t number_of_rectangles(int n, Merging merging)
   for(int y = 1; y < width; y += 2)
     for(int x = 1; x < width; x += 2)
       is_there[width * y + x] = false;
-  const Grid grid(width, width, is_there, std::vector<char>(width * width, false));
+  const Grid grid(width, width, is_there, std::vector<Parts>(width * width, {{1, 1}}));
   const Cell_complex complex(grid.cells, grid.neighbors);
   const std::vector<Cell_rectangle> faces = Cell_merger(complex, EQUALITY)(merging);
   check_partition(complex, faces);
@@ -209,9 +226,65 @@ void test_sieves()
   }
 }
 
+// the places of the knots of a face of a plane grid, by axis
+std::array<std::vector<double>, 2> knot_places(const Shell::Face& face)
+{
+  std::array<std::vector<double>, 2> result;
+  for(int axis = 0; axis < 2; ++axis)
+    for(double knot : face.surface.knots[axis].knots())
+      result[axis].push_back(face.surface.control_points.front()[axis] + knot);
+  return result;
+}
+
+// returns the largest ratio of the lengths of knot intervals side by side on two faces
+double ratio_across_edges(const Shell& shell)
+{
+  double result = 1;
+  for(std::size_t f = 0; f < shell.number_of_faces(); ++f)
+    for(std::size_t g = 0; g < shell.number_of_faces(); ++g)
+      for(int axis = 0; axis < 2; ++axis)
+      {
+        const auto a = knot_places(shell.face(f)), b = knot_places(shell.face(g));
+        if(a[1 - axis].back() != b[1 - axis].front())
+          continue;
+        for(std::size_t i = 0; i + 1 < a[axis].size(); ++i)
+          for(std::size_t k = 0; k + 1 < b[axis].size(); ++k)
+            if(a[axis][i] < b[axis][k + 1] && b[axis][k] < a[axis][i + 1])
+            {
+              const double ratio = (a[axis][i + 1] - a[axis][i]) / (b[axis][k + 1] - b[axis][k]);
+              result = (std::max)({result, ratio, 1 / ratio});
+            }
+      }
+  return result;
+}
+
+// two quads with short cells in the first row, which is a face of its own
+void test_grading()
+{
+  const int width = 12, height = 4;
+  std::vector<Parts> parts(width * height, {{1, 1}});
+  parts[5] = parts[6] = {{32, 1}};
+  const Grid grid(width, height, std::vector<char>(width * height, true), parts);
+  const Cell_complex complex(grid.cells, grid.neighbors);
+  const std::vector<Cell_rectangle> faces = {rectangle(grid, 0, 0, width, 1),
+                                             rectangle(grid, 0, 1, 6, height),
+                                             rectangle(grid, 6, 1, width, height)};
+  const Shell coarse = make_shell(complex, faces, cell_breaks(complex, faces));
+  const Shell graded = make_shell(complex, faces, Break_grading(complex, faces)());
+  assert(ratio_across_edges(coarse) == 32);
+  assert(ratio_across_edges(graded) == 4);
+  for(std::size_t f = 0; f < faces.size(); ++f)
+    for(double u : {0., 0.3, 0.6, 1.})
+      for(double v : {0., 0.4, 0.9})
+        assert(CGAL::squared_distance(coarse.face(f).surface.point(u, v),
+                                      graded.face(f).surface.point(u, v))
+               < 1e-24);
+}
+
 int main()
 {
   test_small_grids();
   test_sieves();
+  test_grading();
   return 0;
 }

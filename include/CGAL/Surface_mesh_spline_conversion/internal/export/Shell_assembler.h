@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/Cell_complex.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/Cell_rectangle.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/blossoms.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/export/graded_breaks.h>
 
 #include <algorithm>
 #include <array>
@@ -78,8 +79,9 @@ public:
     : m_complex(complex), m_caps(caps), m_creases(creases)
   {}
 
+  /// \param breaks the knots of the faces; those of caps and creases do not count
   /// \param boundary_points where the boundary must have further vertices
-  void operator()(std::vector<Cell_rectangle> faces,
+  void operator()(std::vector<Cell_rectangle> faces, const std::vector<Face_breaks>& breaks,
                   const std::vector<Boundary_point>& boundary_points, Shell& shell)
   {
     m_is_node.assign(m_complex.number_of_vertices(), false);
@@ -94,7 +96,7 @@ public:
     m_vertex.assign(m_is_node.size(), NO_INDEX);
     m_edge_of_segment.assign(m_complex.segments().size(), NO_INDEX);
     for(std::size_t f = 0; f < faces.size(); ++f)
-      add_face(faces[f], loops[f], shell);
+      add_face(faces[f], breaks[f], loops[f], shell);
   }
 
 private:
@@ -207,7 +209,8 @@ private:
         m_is_node[v] = true;
   }
 
-  void add_face(const Cell_rectangle& cells, const Loop& loop, Shell& shell)
+  void add_face(const Cell_rectangle& cells, const Face_breaks& breaks, const Loop& loop,
+                Shell& shell)
   {
     typename Shell::Face face;
     const Cell& first = m_complex.cells()[cells.cells.front().cell];
@@ -215,7 +218,7 @@ private:
     face.patch = first.patch;
     face.surface = face.is_extraordinary ? cap_surface(first)
                  : first.crease != NO_INDEX ? crease_surface(first)
-                 : merged_surface(cells, face.patch);
+                 : merged_surface(cells, breaks, face.patch);
     for(const auto& side : loop)
       for(std::size_t begin = 0, end; begin < side.size(); begin = end)
       {
@@ -382,16 +385,13 @@ private:
     return result;
   }
 
-  B_spline_surface_3<K> merged_surface(const Cell_rectangle& face, std::size_t& patch) const
+  B_spline_surface_3<K> merged_surface(const Cell_rectangle& face, const Face_breaks& ticks,
+                                       std::size_t& patch) const
   {
     std::array<std::vector<double>, 2> breaks;
-    std::array<std::vector<std::int64_t>, 2> ticks;
     for(int axis = 0; axis < 2; ++axis)
-    {
-      ticks[axis] = breakpoints(m_complex, face, axis);
       for(std::int64_t t : ticks[axis])
         breaks[axis].push_back(double(t - face.bounds.low[axis]) / double(QUAD_TICKS));
-    }
     const std::vector<std::size_t> cell_of_span = cells_of_spans(face, ticks);
     std::vector<Bicubic> pieces;
     for(const Placed_cell& placed : face.cells)
@@ -421,8 +421,7 @@ private:
 
   // which cell covers a span of the tensor product grid; spans in u run fastest
   std::vector<std::size_t> cells_of_spans(const Cell_rectangle& face,
-                                          const std::array<std::vector<std::int64_t>, 2>& ticks)
-    const
+                                          const Face_breaks& ticks) const
   {
     const std::size_t nu = ticks[0].size() - 1, nv = ticks[1].size() - 1;
     std::vector<std::size_t> result(nu * nv, 0);

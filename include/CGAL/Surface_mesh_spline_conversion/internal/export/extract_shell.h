@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/Cell_complex.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/Cell_merger.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/Shell_assembler.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/export/graded_breaks.h>
 
 #include <algorithm>
 #include <array>
@@ -191,7 +192,10 @@ Extraction_result extract_shell(std::vector<Cell> cells, const Quad_neighbors& n
   const Cell_complex complex = make_cell_complex(std::move(parts), neighbors);
 
   std::vector<Cell_rectangle> faces = Cell_merger(complex, equality)(settings.merging);
-  Shell_assembler<K>(complex, caps, creases)(std::move(faces), settings.boundary_points, shell);
+  const std::vector<Face_breaks> breaks = settings.merging == Merging::BEST
+    ? Break_grading(complex, faces)() : cell_breaks(complex, faces);
+  Shell_assembler<K>(complex, caps, creases)(std::move(faces), breaks, settings.boundary_points,
+                                             shell);
 
   Extraction_result result;
   result.number_of_caps = caps.size();
