@@ -1,5 +1,5 @@
 // The warning about corners of the boundary with an interior angle above a full turn, on ramps that
-// wind about a corner.
+// wind about a corner, and the folds next to such a corner, which smaller quads do not avoid.
 
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Simple_cartesian.h>
@@ -9,6 +9,7 @@
 #include <CGAL/Surface_mesh_spline_conversion/internal/conversion/large_corners.h>
 #include <CGAL/Surface_mesh_spline_conversion/interpolate_boundary_curves.h>
 #include <CGAL/number_type_config.h>
+#include <CGAL/property_map.h>
 
 #include <array>
 #include <cassert>
@@ -76,6 +77,11 @@ void test(double angle, bool is_large)
   SC::Conversion_report report;
   SC::internal::warn_about_large_corners(mesh, get(CGAL::vertex_point, mesh), network, report);
   assert(report.warnings.size() == (is_large ? 1 : 0));
+  const CGAL::Constant_property_map<Mesh::Vertex_index, double> size(2);
+  const std::vector<Point> folds
+    = {Point(0, 0, 0), Point(0.1, 0.1, 0), Point(0.3, 0, 0), Point(0, 0, 6)};
+  assert(SC::internal::number_of_avoidable_folds(mesh, get(CGAL::vertex_point, mesh), network, size,
+                                                 folds) == (is_large ? 2 : 4));
   if(!is_large)
     return;
   const std::string start = "the interior angle of the corner at (0, 0, 0) is ";

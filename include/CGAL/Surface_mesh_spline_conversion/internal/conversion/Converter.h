@@ -37,6 +37,7 @@
 #include <CGAL/T_NURCC_surface_3.h>
 #include <CGAL/boost/graph/helpers.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -122,6 +123,11 @@ private:
   // size are tried then, again and again down to the smallest one.
   static constexpr double next_factor = 0.7, smallest_factor = 0.3;
 
+  // Where they do not help, the surface is refined around the same places again and again. A further
+  // attempt ends at that many patches per control point of the best one; there may be few patches
+  // beside many control points of the boundary.
+  static constexpr std::size_t patches_per_control_point = 4;
+
   void describe_input(std::size_t number_of_components)
   {
     Conversion_report::Input& input = m_report.input;
@@ -167,13 +173,14 @@ private:
     }
     part.input.facet_sagitta = facet_sagitta(component.mesh, get(vertex_point, component.mesh));
     warn_about_large_corners(component.mesh, get(vertex_point, component.mesh), network, part);
-    Attempt best = make_attempt(component, network, part);
+    Attempt best
+      = make_attempt(component, network, part, m_options.maximum_number_of_patches);
     for(double factor = next_factor; best.is_flawed && factor >= smallest_factor;
         factor *= next_factor)
     {
       for(const auto v : vertices(component.mesh))
         component.sizes[v] *= next_factor;
-      Attempt attempt = make_attempt(component, network, part);
+      Attempt attempt = make_attempt(component, network, part, most_patches_after(best));
       if(attempt.code == Error_code::INTERRUPTED)
       {
         part = attempt.part;
@@ -210,9 +217,17 @@ private:
     }
   };
 
+  // of a further attempt
+  std::size_t most_patches_after(const Attempt& best) const
+  {
+    const std::size_t most = m_options.maximum_number_of_patches;
+    return best.surface
+      ? (std::min)(most, patches_per_control_point * best.part.counts.control_points) : most;
+  }
+
   // `part`: what is known before the layout
   Attempt make_attempt(const Component& component, const Component_network& network,
-                       const Conversion_report& part)
+                       const Conversion_report& part, std::size_t most_patches)
   {
     Attempt result;
     result.part = part;
@@ -223,13 +238,13 @@ private:
                               .cross_field_map(component.directions)
                               .visitor(std::ref(m_visitor)));
     if(result.code == Error_code::OK)
-      result.code = fit(component, network, layout, result);
+      result.code = fit(component, network, layout, most_patches, result);
     return result;
   }
 
   // the surface stages; the surface is kept if a tolerance is missed.
   Error_code fit(const Component& component, const Component_network& network,
-                 const Quad_layout<Kernel>& layout, Attempt& attempt)
+                 const Quad_layout<Kernel>& layout, std::size_t most_patches, Attempt& attempt)
   {
     Conversion_report& part = attempt.part;
     const Target target(layout, network, component.mesh,
@@ -246,7 +261,7 @@ private:
     const auto np = parameters::boundary_tolerance(m_options.boundary_tolerance)
                       .interior_tolerance(m_options.interior_tolerance)
                       .error_metric(m_options.error_metric)
-                      .maximum_number_of_patches(m_options.maximum_number_of_patches)
+                      .maximum_number_of_patches(most_patches)
                       .visitor(std::ref(m_visitor));
     Error_code result = run("fit_boundary", part, [&]()
       { return fit_boundary(surface, target, part, np); });
@@ -290,7 +305,8 @@ private:
       {
         attempt.folds = deviation.piece_folds.size() + deviation.faces_against_mesh;
         attempt.is_flawed
-          = attempt.folds > 0 || (code == Error_code::OK && measured != Error_code::OK);
+          = has_avoidable_folds(deviation, component, network)
+            || (code == Error_code::OK && measured != Error_code::OK);
         if(code == Error_code::OK && measured == Error_code::OK && m_options.do_fair)
           return make_fair(fitter, surface, component, network, part, deviation);
         warn_about_normals(deviation, part);
@@ -302,6 +318,14 @@ private:
         { return fitter.improve(deviation.interior_violations, rough); });
     }
     return code;
+  }
+
+  static bool has_avoidable_folds(const Deviation<Kernel>& deviation, const Component& component,
+                                  const Component_network& network)
+  {
+    return deviation.faces_against_mesh > 0
+           || number_of_avoidable_folds(component.mesh, get(vertex_point, component.mesh), network,
+                                        component.sizes, deviation.piece_folds) > 0;
   }
 
   // where the normals do not agree with one another, or with those of the mesh

@@ -382,20 +382,24 @@ private:
   {
     if(m_priority == Priority::FLAT_QUADS)
       return false;
+    const auto stay = [](const Working_location& at) { return at; };
     const std::set<int> different(quads.begin(), quads.end());
     return std::any_of(different.begin(), different.end(), [&](int q)
     {
-      std::vector<Surface_sample> before, after;
-      for(int j = 0; j < samples_per_side; ++j)
-        for(int i = 0; i < samples_per_side; ++i)
-        {
-          const double cells = samples_per_side - 1;
-          const Working_location at = (*this)(m_locate(q, i / cells, j / cells));
-          before.push_back(m_image(at));
-          after.push_back(m_image(disk(at)));
-        }
-      return evenness(after) < (std::min)(tolerable_evenness, evenness(before));
+      const double after = evenness_after(disk, q);
+      return after < tolerable_evenness && after < evenness_after(stay, q);
     });
+  }
+
+  template <typename Motion>
+  double evenness_after(const Motion& motion, int quad) const
+  {
+    const double cells = samples_per_side - 1;
+    std::vector<Surface_sample> samples;
+    for(int j = 0; j < samples_per_side; ++j)
+      for(int i = 0; i < samples_per_side; ++i)
+        samples.push_back(m_image(motion((*this)(m_locate(quad, i / cells, j / cells)))));
+    return evenness(samples);
   }
 
   // Compares the least of the values that differ.
