@@ -1,7 +1,7 @@
 // Quantization of motorcycle graphs: the lengths solve the equations, give boundary loops enough
 // sides, are accepted at any coarseness; and the oracle rejects lengths that merge singularities or
-// let a boundary loop vanish, even if they solve all equations. Searches from both ends find the same
-// walks as those from one.
+// let a boundary loop vanish, even if they solve all equations. Searches from both ends find the
+// same walks as those from one.
 
 #include "voxel_seamless_maps.h"
 

@@ -51,7 +51,7 @@ First, a seamless map is computed, which is locally injective and exact. Its mot
 isolines through singularities and corners up to where they meet each other, divides the mesh into
 rectangles. The sides of these get integer lengths near the real ones, such that no singularities,
 corners or boundary loops fall together and every boundary loop has at least four sides. Last, the
-map is solved again with these lengths.
+map is solved again with these lengths, or with those for smaller quads where it cannot.
 
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 

@@ -75,8 +75,8 @@ private:
 
   // of a quad: see `shape_of()`
   static constexpr double good_shape = 0.5;
-  // of a disk: a quad with a long part in its middle has a good shape when it is drawn flat, but next
-  // to all of the surface lies below a small part of it then
+  // of a disk: a quad with a long part in its middle has a good shape when it is drawn flat, but
+  // next to all of the surface lies below a small part of it then
   static constexpr double largest_squeezed_share = 0.1;
 
   template <typename Locate>

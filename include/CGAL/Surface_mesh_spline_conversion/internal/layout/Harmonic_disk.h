@@ -76,8 +76,8 @@ public:
     return m_source.is_embedded();
   }
 
-  // The share of the surface that loses nearly all of its area in the map by the motion: a part that
-  // sticks out becomes small when it is laid flat.
+  // The share of the surface that loses nearly all of its area in the map by the motion: a part
+  // that sticks out becomes small when it is laid flat.
   double squeezed_share() const
   {
     const double least_ratio = 1. / 64;

@@ -252,7 +252,7 @@ private:
   // its equations are out of balance then.
   bool augment(int equation, int banned)
   {
-    const auto is_end = [this, equation](int state) { return is_welcome(state, equation); };
+    const auto is_end = [this, equation](int s) { return is_welcome(s, equation); };
     std::vector<int> ends;
     if(banned >= 0 && !m_find_walk.has_open_ends())
       for(const Occurrence& o : m_arcs[banned])
@@ -280,7 +280,7 @@ private:
     return &both[is_first ? 1 : 0];
   }
 
-  // `true` if the imbalance of an equation is what a walk from `start` needs there in its last state
+  // `true` if a walk from the equation `start` finds the imbalance that it needs in a last state
   bool is_welcome(int last_state, int start) const
   {
     const int imbalance = m_imbalance[last_state / 2] * ((last_state & 1) ? 1 : -1);

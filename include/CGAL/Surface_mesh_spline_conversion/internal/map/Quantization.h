@@ -214,8 +214,8 @@ private:
     return true;
   }
 
-  // Changes lengths by one as long as the cost falls, the worst arcs first. What has failed is tried
-  // again only after something else has changed.
+  // Changes lengths by one as long as the cost falls, the worst arcs first. What has failed is
+  // tried again only after something else has changed.
   void descend(bool use_oracle)
   {
     int number_of_changes = 0;
