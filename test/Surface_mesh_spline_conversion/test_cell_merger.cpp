@@ -195,7 +195,7 @@ void test_small_grids()
     largest = (std::max)(largest, ratio);
     sum += ratio;
   }
-  assert(sum / number_of_grids < 1.005 && largest < 1.03);
+  assert(sum / number_of_grids < 1.002 && largest < 1.01);
 }
 
 // of a square with n x n holes in rows and columns

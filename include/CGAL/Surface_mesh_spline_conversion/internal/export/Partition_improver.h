@@ -59,10 +59,7 @@ public:
     for(const Cell_rectangle& face : faces)
       if(is_movable(face))
         add(face);
-    double whole = 0;
-    for(std::size_t f = m_first_movable; f < m_faces.size(); ++f)
-      whole += m_faces[f]->cost;
-    if(!(anneal() < -LEAST_GAIN * whole))
+    if(!(anneal() < 0))
       return;
     faces.clear();
     for(const auto& face : m_faces)
@@ -97,11 +94,6 @@ private:
   // longer than so many counts as so many points.
   static constexpr double LONG_FACE = 8;
   static constexpr double POINTS_PER_WIDTH = 4;
-
-  // Grown faces are kept if less than this share of their cost is gained: they follow the rows of
-  // quads, and beside them fewer others have much denser knots, which searches of other programs
-  // for closest points stumble over.
-  static constexpr double LEAST_GAIN = 0.02;
 
   // In the units of the cost. At the first temperature faces are cut for nothing now and then, at
   // the last one nothing becomes larger.
