@@ -1,15 +1,17 @@
 // Merging of the pieces of a surface: on small grids with gaps, all partitions into rectangles are
 // tried, and their files measured; on large ones, the least number of rectangles is known. The
-// knots of faces side by side are similarly dense.
+// knots of faces side by side are similarly dense, and further knots do not change a polynomial.
 #include <CGAL/Random.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh_spline_conversion/IO/STEP.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/Cell_merger.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/Shell_assembler.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/export/bezier_pieces.h>
 
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <sstream>
@@ -281,10 +283,34 @@ void test_grading()
                < 1e-24);
 }
 
+// the B-spline with further knots against the polynomial
+void test_knot_insertion()
+{
+  constexpr int degree = 5;
+  const std::vector<double> breaks = {0, 0.25, 1, 1.5, 2};
+  const Eigen::VectorXd bezier_points = Eigen::VectorXd::LinSpaced(degree + 1, 3, 8).array().sin();
+  const Eigen::VectorXd control_points = knot_insertion(degree, breaks) * bezier_points;
+  const SMSC::Knot_vector<double> knots(degree, breaks);
+  assert(std::size_t(control_points.size()) == knots.number_of_functions());
+  for(double t : {0., 0.1, 0.25, 0.7, 1.2, 1.9, 2.})
+  {
+    SMSC::Knot_vector<double>::Basis basis;
+    const std::size_t span = knots.find_span(t);
+    knots.evaluate(span, t, 0, basis);
+    const Bezier_piece::Bernstein bernstein = Bezier_piece::bernstein(degree, t / breaks.back());
+    double difference = 0;
+    for(int i = 0; i <= degree; ++i)
+      difference += basis[0][i] * control_points[Eigen::Index(span) - degree + i]
+                  - bernstein[i] * bezier_points[i];
+    assert(std::abs(difference) < 1e-14);
+  }
+}
+
 int main()
 {
   test_small_grids();
   test_sieves();
   test_grading();
+  test_knot_insertion();
   return 0;
 }

@@ -63,6 +63,20 @@ struct Boundary_point
   double parameter;
 };
 
+/// turns the faces of caps so that the extraordinary point is at the smallest parameters
+inline void turn_caps(const Cell_complex& complex, const std::vector<Cap>& caps,
+                      std::vector<Cell_rectangle>& faces)
+{
+  for(Cell_rectangle& face : faces)
+  {
+    const Cell& cell = complex.cells()[face.cells.front().cell];
+    if(cell.cap == NO_INDEX)
+      continue;
+    face.cells.front().frame.turns = (4 - caps[cell.cap].sectors[cell.sector].corner) & 3;
+    face.bounds = face.cells.front().frame(cell.rectangle);
+  }
+}
+
 /// Builds vertices, edges and faces of a shell from rectangles of cells. A vertex stands at every
 /// corner of a face and wherever more than two faces, or the boundary and two faces, meet; between
 /// vertices the two faces share one edge.
@@ -79,15 +93,16 @@ public:
     : m_complex(complex), m_caps(caps), m_creases(creases)
   {}
 
-  /// \param breaks the knots of the faces; those of caps and creases do not count
+  /// \param faces those of caps have the extraordinary point at the smallest parameters, see
+  ///        `turn_caps()`
+  /// \param breaks the knots of the faces; those of creases do not count
   /// \param boundary_points where the boundary must have further vertices
-  void operator()(std::vector<Cell_rectangle> faces, const std::vector<Face_breaks>& breaks,
+  void operator()(const std::vector<Cell_rectangle>& faces, const std::vector<Face_breaks>& breaks,
                   const std::vector<Boundary_point>& boundary_points, Shell& shell)
   {
     m_is_node.assign(m_complex.number_of_vertices(), false);
     for(const Boundary_point& point : boundary_points)
       add_node(point);
-    turn_caps(faces);
     std::vector<Loop> loops(faces.size());
     for(std::size_t f = 0; f < faces.size(); ++f)
       loops[f] = loop(faces[f]);
@@ -163,19 +178,6 @@ private:
     pieces.push_back(piece);
   }
 
-  // the extraordinary point at the smallest parameters
-  void turn_caps(std::vector<Cell_rectangle>& faces) const
-  {
-    for(Cell_rectangle& face : faces)
-    {
-      const Cell& cell = m_complex.cells()[face.cells.front().cell];
-      if(cell.cap == NO_INDEX)
-        continue;
-      face.cells.front().frame.turns = (4 - sector(cell).corner) & 3;
-      face.bounds = face.cells.front().frame(cell.rectangle);
-    }
-  }
-
   const Cap_sector& sector(const Cell& cell) const { return m_caps[cell.cap].sectors[cell.sector]; }
 
   Loop loop(const Cell_rectangle& face) const
@@ -216,7 +218,7 @@ private:
     const Cell& first = m_complex.cells()[cells.cells.front().cell];
     face.is_extraordinary = (first.cap != NO_INDEX);
     face.patch = first.patch;
-    face.surface = face.is_extraordinary ? cap_surface(first)
+    face.surface = face.is_extraordinary ? cap_surface(first, in_quads(breaks))
                  : first.crease != NO_INDEX ? crease_surface(first)
                  : merged_surface(cells, breaks, face.patch);
     for(const auto& side : loop)
@@ -232,7 +234,8 @@ private:
   }
 
   // Gives a sector of a cap the very points of the edges on its whole sides; its own differ from
-  // them by rounding. Sides 0 and 3, between two sectors, are always whole.
+  // them by rounding. Sides 0 and 3, between two sectors, are always whole. Where the sector has
+  // further knots, it keeps its own points.
   static void take_edges(const Shell& shell, typename Shell::Face& face)
   {
     for(int side = 0; side < 4; ++side)
@@ -242,6 +245,8 @@ private:
       const auto& use = (side == 3) ? face.loop.back() : face.loop[side];
       std::vector<std::size_t> indices = face.surface.indices_on_side(side);
       const std::vector<Point_3>& points = shell.edge(use.edge).curve.control_points;
+      if(indices.size() != points.size())
+        continue;
       if(!use.is_forward)
         std::reverse(indices.begin(), indices.end());
       for(std::size_t i = 0; i < points.size(); ++i)
@@ -349,15 +354,36 @@ private:
     return result;
   }
 
-  B_spline_surface_3<K> cap_surface(const Cell& cell) const
+  // the knots from the first on, in layout quads
+  static std::array<std::vector<double>, 2> in_quads(const Face_breaks& ticks)
   {
-    const Cap_sector& s = sector(cell);
-    const double size = double(cell.rectangle.extent(0)) / double(QUAD_TICKS);
+    std::array<std::vector<double>, 2> result;
+    for(int axis = 0; axis < 2; ++axis)
+      for(std::int64_t t : ticks[axis])
+        result[axis].push_back(double(t - ticks[axis].front()) / double(QUAD_TICKS));
+    return result;
+  }
+
+  B_spline_surface_3<K> cap_surface(const Cell& cell,
+                                    const std::array<std::vector<double>, 2>& breaks) const
+  {
+    constexpr int degree = Cap_operator::DEGREE, order = Cap_operator::ORDER;
+    const Biquintic& points = sector(cell).points;
+    const Eigen::MatrixXd u = knot_insertion(degree, breaks[0]);
+    const Eigen::MatrixXd v = knot_insertion(degree, breaks[1]);
     B_spline_surface_3<K> result;
-    for(const Eigen::Vector3d& p : s.points)
-      result.control_points.push_back(point(p));
-    result.knots[0] = Knot_vector<typename K::FT>(Cap_operator::DEGREE, {0, size});
-    result.knots[1] = result.knots[0];
+    for(Eigen::Index j = 0; j < v.rows(); ++j)
+      for(Eigen::Index i = 0; i < u.rows(); ++i)
+      {
+        Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+        for(int b = 0; b < order; ++b)
+          for(int a = 0; a < order; ++a)
+            sum += u(i, a) * v(j, b) * points[order * b + a];
+        result.control_points.push_back(point(sum));
+      }
+    for(int axis = 0; axis < 2; ++axis)
+      result.knots[axis]
+        = Knot_vector<typename K::FT>(degree, {breaks[axis].begin(), breaks[axis].end()});
     return result;
   }
 
@@ -388,10 +414,7 @@ private:
   B_spline_surface_3<K> merged_surface(const Cell_rectangle& face, const Face_breaks& ticks,
                                        std::size_t& patch) const
   {
-    std::array<std::vector<double>, 2> breaks;
-    for(int axis = 0; axis < 2; ++axis)
-      for(std::int64_t t : ticks[axis])
-        breaks[axis].push_back(double(t - face.bounds.low[axis]) / double(QUAD_TICKS));
+    const std::array<std::vector<double>, 2> breaks = in_quads(ticks);
     const std::vector<std::size_t> cell_of_span = cells_of_spans(face, ticks);
     std::vector<Bicubic> pieces;
     for(const Placed_cell& placed : face.cells)

@@ -13,8 +13,10 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <vector>
 
 // Blossoms (polar forms) of cubic and bicubic Bezier pieces on the unit interval and square: the
 // values f(t0,t1,t2) of the symmetric affine-linear form with f(t,t,t) = point at t. The Bezier
@@ -69,6 +71,27 @@ inline Bicubic restriction(const Bicubic& c, double u0, double v0, double u1, do
   for(int j = 0; j < 4; ++j)
     for(int i = 0; i < 4; ++i)
       result[4 * j + i] = blossom(c, bezier_arguments(u0, u1, i), bezier_arguments(v0, v1, j));
+  return result;
+}
+
+/// The matrix from the Bezier points of a polynomial to the control points of the same polynomial as a
+/// B-spline with `breaks` as simple knots: blossoms at as many consecutive knots as the degree.
+inline Eigen::MatrixXd knot_insertion(int degree, const std::vector<double>& breaks)
+{
+  const std::size_t last = breaks.size() - 1, d = static_cast<std::size_t>(degree);
+  Eigen::MatrixXd result(last + d, degree + 1);
+  for(std::size_t i = 0; i < last + d; ++i)
+  {
+    Eigen::MatrixXd p = Eigen::MatrixXd::Identity(degree + 1, degree + 1);
+    for(std::size_t r = 1; r <= d; ++r)
+    {
+      const double knot = breaks[i + r < d ? 0 : (std::min)(i + r - d, last)];
+      const double t = (knot - breaks.front()) / (breaks.back() - breaks.front());
+      for(std::size_t j = 0; j + r <= d; ++j)
+        p.row(j) = ((1 - t) * p.row(j) + t * p.row(j + 1)).eval();
+    }
+    result.row(i) = p.row(0);
+  }
   return result;
 }
 

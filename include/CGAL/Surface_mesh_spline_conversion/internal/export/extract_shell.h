@@ -192,10 +192,10 @@ Extraction_result extract_shell(std::vector<Cell> cells, const Quad_neighbors& n
   const Cell_complex complex = make_cell_complex(std::move(parts), neighbors);
 
   std::vector<Cell_rectangle> faces = Cell_merger(complex, equality)(settings.merging);
+  turn_caps(complex, caps, faces);
   const std::vector<Face_breaks> breaks = settings.merging == Merging::BEST
     ? Break_grading(complex, faces)() : cell_breaks(complex, faces);
-  Shell_assembler<K>(complex, caps, creases)(std::move(faces), breaks, settings.boundary_points,
-                                             shell);
+  Shell_assembler<K>(complex, caps, creases)(faces, breaks, settings.boundary_points, shell);
 
   Extraction_result result;
   result.number_of_caps = caps.size();

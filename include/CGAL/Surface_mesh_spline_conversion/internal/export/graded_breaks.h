@@ -86,23 +86,23 @@ private:
 
   typedef std::vector<std::int64_t>::const_iterator Break_iterator;
 
-  // the segments between different faces of merged cells, seen from both
+  // the segments between different faces, seen from both; those beside creases keep their knots
   std::vector<std::array<Border, 2> > find_borders() const
   {
     std::vector<std::array<Border, 2> > result;
     for(const Cell_complex::Segment& segment : m_complex.segments())
     {
       const auto& sides = segment.sides;
-      if(is_merged(sides[0].cell) && is_merged(sides[1].cell)
+      if(can_grade(sides[0].cell) && can_grade(sides[1].cell)
          && m_face_of_cell[sides[0].cell] != m_face_of_cell[sides[1].cell])
         result.push_back({{border(sides[0]), border(sides[1])}});
     }
     return result;
   }
 
-  bool is_merged(std::size_t cell) const
+  bool can_grade(std::size_t cell) const
   {
-    return cell != NO_INDEX && is_mergeable(m_complex.cells()[cell]);
+    return cell != NO_INDEX && m_complex.cells()[cell].crease == NO_INDEX;
   }
 
   Border border(const Cell_complex::Segment_side& segment) const
