@@ -268,11 +268,14 @@ private:
     const auto faces = face_corners(m_tm, parameters::choose_parameter(
       parameters::get_parameter(m_np, internal_np::vertex_point),
       get_const_property_map(vertex_point, m_tm)));
+    const Integer_grid_map first_map = m_map;
+    const std::string first_fallback = m_report.map.fallback;
     Field_attempt attempt = m_attempt;
     attempt.size_shares.assign(faces.size(), 1);
     std::vector<std::size_t> inverted = inverted_quads(m_layout, faces);
     std::size_t least_number = inverted.size();
     std::set<std::size_t> places = faces_below(inverted);
+    bool is_first_map = true;
     Error_code code = Error_code::OK;
     for(int i = 0; i < most_attempts && code == Error_code::OK && least_number > 0; ++i)
     {
@@ -288,20 +291,37 @@ private:
         least_number = (std::min)(least_number, inverted.size());
         return extraction_code;
       });
+      is_first_map = is_first_map && !is_better;
     }
-    return code == Error_code::OK && least_number > 0 ? favor_flat_quads(faces, least_number) : code;
+    const std::string fallback = m_report.map.fallback;
+    if(code == Error_code::OK && least_number > 0)
+      code = favor_flat_quads(m_map, fallback, faces, least_number);
+    if(code == Error_code::OK && least_number > 0 && !is_first_map)
+      code = favor_flat_quads(first_map, first_fallback, faces, least_number);
+    return code;
   }
 
-  // Where smaller quads do not help, the map may be squeezed so that fewer flat quads are inverted.
-  Error_code favor_flat_quads(const std::vector<std::array<Eigen::Vector3d, 3> >& faces,
-                              std::size_t number_of_inverted)
+  // Where smaller quads do not help, a map may be squeezed so that fewer flat quads are inverted.
+  // `fallback`: of the map. `number_of_inverted`: quads of the present layout, and then of the better one
+  Error_code favor_flat_quads(Integer_grid_map map, const std::string& fallback,
+                              const std::vector<std::array<Eigen::Vector3d, 3> >& faces,
+                              std::size_t& number_of_inverted)
   {
     Quad_layout<GeomTraits> layout = m_layout;
+    std::swap(m_map, map);
     Error_code code = find_quads(m_map, m_quads);
     if(code == Error_code::OK)
       code = extract_layout(Vertex_smoothing::Priority::FLAT_QUADS);
-    if(code == Error_code::OK && inverted_quads(m_layout, faces).size() >= number_of_inverted)
-      m_layout = std::move(layout);
+    const std::size_t number
+      = code == Error_code::OK ? inverted_quads(m_layout, faces).size() : number_of_inverted;
+    if(number < number_of_inverted)
+    {
+      number_of_inverted = number;
+      m_report.map.fallback = fallback;
+      return code;
+    }
+    std::swap(m_map, map);
+    m_layout = std::move(layout);
     return code;
   }
 
