@@ -268,11 +268,13 @@ private:
     const auto faces = face_corners(m_tm, parameters::choose_parameter(
       parameters::get_parameter(m_np, internal_np::vertex_point),
       get_const_property_map(vertex_point, m_tm)));
+    std::vector<std::size_t> inverted = inverted_quads(m_layout, faces);
+    if(inverted.empty())
+      return Error_code::OK;
     const Integer_grid_map first_map = m_map;
     const std::string first_fallback = m_report.map.fallback;
     Field_attempt attempt = m_attempt;
     attempt.size_shares.assign(faces.size(), 1);
-    std::vector<std::size_t> inverted = inverted_quads(m_layout, faces);
     std::size_t least_number = inverted.size();
     std::set<std::size_t> places = faces_below(inverted);
     bool is_first_map = true;
@@ -302,7 +304,7 @@ private:
   }
 
   // Where smaller quads do not help, a map may be squeezed so that fewer flat quads are inverted.
-  // `fallback`: of the map. `number_of_inverted`: quads of the present layout, and then of the better one
+  // `fallback`: of the map. `number_of_inverted`: of the present layout, and then of the better one
   Error_code favor_flat_quads(Integer_grid_map map, const std::string& fallback,
                               const std::vector<std::array<Eigen::Vector3d, 3> >& faces,
                               std::size_t& number_of_inverted)
