@@ -67,42 +67,50 @@ Shell two_faces(const std::function<double(int, int)>& z)
   return shell;
 }
 
-// n x n bicubic faces over the square, with the control point beside the lower left corner of each
-// moved by `height`
-Shell face_grid(int n, double height)
+// n x n bicubic faces over the square, of the height `curvature * x * x / 2`, with the control
+// point beside the lower left corner of each moved by `height`
+Shell face_grid(int n, double height, double curvature = 0)
 {
+  typedef std::pair<int, int> Place; // of a control point
   Shell shell;
   const SMSC::Knot_vector<double> knots(3, {0, 1});
   const double step = SIZE / (3 * n);
-  std::map<std::pair<int, int>, std::size_t> vertices;
-  std::map<std::pair<std::size_t, std::size_t>, std::size_t> edges;
-  for(int j = 0; j <= n; ++j)
-    for(int i = 0; i <= n; ++i)
-      vertices[{i, j}] = shell.add_vertex(Point_3(3 * step * i, 3 * step * j, 0));
-  auto use = [&](std::size_t from, std::size_t to)
+  auto point = [=](const Place& p)
+  {
+    const int k = p.first % 3;
+    const double a = step * (p.first - k), b = a + 3 * step; // ends of the face, if between them
+    const double square
+      = (k == 0) ? a * a : (k == 1) ? (a * a + 2 * a * b) / 3 : (2 * a * b + b * b) / 3;
+    return Point_3(step * p.first, step * p.second, curvature / 2 * square);
+  };
+  std::map<Place, std::size_t> vertices;
+  std::map<std::pair<Place, Place>, std::size_t> edges;
+  for(int j = 0; j <= 3 * n; j += 3)
+    for(int i = 0; i <= 3 * n; i += 3)
+      vertices[{i, j}] = shell.add_vertex(point({i, j}));
+  auto use = [&](const Place& from, const Place& to)
   {
     const auto reverse = edges.find({to, from});
     if(reverse != edges.end())
       return Shell::Oriented_edge{reverse->second, false};
-    Shell::Edge e = {from, to, {knots, {}}};
-    const Point_3 a = shell.point(from), b = shell.point(to);
+    Shell::Edge e = {vertices[from], vertices[to], {knots, {}}};
     for(int k = 0; k <= 3; ++k)
-      e.curve.control_points.push_back(a + k / 3. * (b - a));
+      e.curve.control_points.push_back(point({from.first + (to.first - from.first) / 3 * k,
+                                              from.second + (to.second - from.second) / 3 * k}));
     return Shell::Oriented_edge{edges[{from, to}] = shell.add_edge(e), true};
   };
-  for(int j = 0; j < n; ++j)
-    for(int i = 0; i < n; ++i)
+  for(int j = 0; j < 3 * n; j += 3)
+    for(int i = 0; i < 3 * n; i += 3)
     {
       Shell::Face face;
       face.surface.knots = {{knots, knots}};
       for(int b = 0; b <= 3; ++b)
         for(int a = 0; a <= 3; ++a)
           face.surface.control_points.push_back(
-            Point_3(step * (3 * i + a), step * (3 * j + b), (a == 1 && b == 1) ? height : 0));
+            point({i + a, j + b}) + K::Vector_3(0, 0, (a == 1 && b == 1) ? height : 0));
       face.patch = 0;
       face.is_extraordinary = false;
-      const std::size_t corners[] = {vertices[{i, j}], vertices[{i + 1, j}],
-                                     vertices[{i + 1, j + 1}], vertices[{i, j + 1}]};
+      const Place corners[] = {{i, j}, {i + 3, j}, {i + 3, j + 3}, {i, j + 3}};
       for(int k = 0; k < 4; ++k)
         face.loop.push_back(use(corners[k], corners[(k + 1) % 4]));
       shell.add_face(face);
@@ -153,6 +161,27 @@ void test_ridge()
   largest /= std::sqrt(1 + 2 * slope * slope); // distance from both planes of the valley
   const SMSC::Deviation<K> d = valley(shell, 1.001 * largest);
   assert(d.interior_violations.empty() && is_close(d.interior_maximum, largest, 1e-5 * largest));
+}
+
+// The edges of a mesh lie on a parabolic cylinder, and the surface touches the middles of its
+// facets from inside but for bumps. At the edges the deviation has ridges, which rise far above the
+// samples on both sides; those of two of the faces have their tops between vertices of the mesh.
+void test_ridges_between_samples()
+{
+  const double curvature = 0.01, width = SIZE / CELLS, sagitta = curvature * width * width / 8;
+  Measurement facets;
+  facets.mesh = graph_mesh<Mesh>(SIZE, CELLS, [=](double x, double)
+    { return -sagitta + curvature * x * x / 2; });
+  const double bump = 2.5 * sagitta;       // of the control point
+  auto b1 = [](double t) { return 3 * t * (1 - t) * (1 - t); };
+  const double u = (5.5 - SIZE / 2) * 6 / SIZE; // of such an edge; its vertices have 0.2 and 0.5
+  const double at_vertices = b1(u) * b1(0.2), at_top = b1(u) * b1(1 / 3.);
+  const double tolerance = sagitta + bump * (at_vertices + at_top) / 2;
+  const SMSC::Deviation<K> d = facets(face_grid(6, bump, curvature), tolerance);
+  for(double y : {SIZE * (1 + 1 / 3.) / 6, SIZE * (4 + 1 / 3.) / 6})
+    assert(std::any_of(d.interior_violations.begin(), d.interior_violations.end(),
+                       [=](const Point_3& p)
+                       { return std::hypot(p.x() - 5.5, p.y() - y) < width / 2; }));
 }
 
 int main()
@@ -229,6 +258,7 @@ int main()
     assert(CGAL::squared_distance(d.folds[i], Point_3(SIZE * (1 + 2. * double(i)) / 4, SIZE / 2, 0))
            < rounding);
   test_ridge();
+  test_ridges_between_samples();
   std::cout << "ok" << std::endl;
   return 0;
 }

@@ -54,7 +54,7 @@ public:
     for_each_index(pieces.size(), [&](std::size_t i) { sample_piece(i, parts[i]); });
     for(const Piece_samples& part : parts)
       append(part);
-    climb();
+    climb(starts_at_samples());
   }
 
   /// adds the distances of the vertices and face centres of the mesh from the surface
@@ -71,14 +71,14 @@ public:
         queries.back() += to_eigen(get(vpm, v)) / 3;
     }
     const Point_index index(m_points);
-    std::vector<Mesh_point> points(queries.size());
-    for_each_index(queries.size(), [&](std::size_t i)
-      { points[i] = project_mesh_point(index, queries[i]); });
+    const std::vector<Foot> feet = project_all(queries, index);
     for(std::size_t i = 0; i < queries.size(); ++i)
     {
-      m_statistics.add(points[i].deviation, queries[i]);
-      note_violation(points[i].piece, points[i].deviation, queries[i]);
+      const double deviation = excess(queries[i], feet[i].distance);
+      m_statistics.add(deviation, queries[i]);
+      note_violation(feet[i].piece, deviation, queries[i]);
     }
+    climb(starts_at(project_all(middles_of_creases(tm, vpm), index)));
   }
 
   const Deviation_statistics& statistics() const { return m_statistics; }
@@ -141,10 +141,13 @@ private:
     std::size_t hint = 0; // for the search on the mesh
   };
 
-  struct Mesh_point
+  // the point of the surface that is closest to a point of the mesh
+  struct Foot
   {
-    double deviation;
-    std::size_t piece; // the nearest one
+    std::size_t piece;
+    double u;
+    double v;
+    double distance;
   };
 
   // the end of a climb
@@ -153,6 +156,13 @@ private:
     std::size_t piece;
     double deviation;
     Eigen::Vector3d place;
+  };
+
+  // a sample on its way uphill
+  struct Climber
+  {
+    Sample sample;
+    Summit summit;
   };
 
   struct Violation
@@ -248,19 +258,20 @@ private:
     m_piece_facing.push_back(part.facing);
   }
 
+  // What is tolerated falls continuously to nothing in the outer half of the band. If it jumped,
+  // the search uphill would not find what exceeds the tolerance just beyond the band.
   double excess(const Eigen::Vector3d& p, double distance) const
   {
     double gap;
     const double band = boundary_band * m_mesh.mean_edge_length();
-    const bool is_inside = m_mesh.boundary_distance(p, gap) > band;
-    return is_inside ? distance : (std::max)(0., distance - gap);
+    const double depth = (std::min)(1., m_mesh.boundary_distance(p, gap) / band);
+    return (std::max)(0., distance - (std::min)(1., 2 * (1 - depth)) * gap);
   }
 
-  // Walks uphill from the largest samples, so that neither the maximum nor the verdict on a piece
+  // Walks uphill from large deviations, so that neither the maximum nor the verdict on a piece
   // hangs on the grid. A piece may have several peaks.
-  void climb()
+  void climb(const std::vector<Climber>& starts)
   {
-    const std::vector<std::size_t> starts = starts_of_climbs();
     std::vector<Summit> summits(starts.size());
     for_each_index(starts.size(), [&](std::size_t i) { summits[i] = climb_from(starts[i]); });
     for(const Summit& summit : summits)
@@ -277,14 +288,14 @@ private:
   // The samples that come close to the limit, and the largest ones of a few pieces. On a piece that
   // is known to violate the limit, peaks are enough; elsewhere, a ridge between the samples may rise
   // beside one that is no peak.
-  std::vector<std::size_t> starts_of_climbs() const
+  std::vector<Climber> starts_at_samples() const
   {
-    std::vector<std::size_t> largest, result; // the largest of each piece
+    std::vector<std::size_t> largest, starts; // the largest of each piece
     for(std::size_t i = 0; i < m_samples.size(); ++i)
     {
       if(m_deviations[i] > CLOSE_TO_LIMIT * m_limit
          && (m_is_peak[i] || m_violations.count(m_samples[i].piece) == 0))
-        result.push_back(i);
+        starts.push_back(i);
       if(i == 0 || m_samples[i].piece != m_samples[i - 1].piece)
         largest.push_back(i);
       else if(m_deviations[i] > m_deviations[largest.back()])
@@ -295,25 +306,70 @@ private:
                       [this](std::size_t a, std::size_t b)
                       { return std::make_pair(-m_deviations[a], a)
                              < std::make_pair(-m_deviations[b], b); });
-    result.insert(result.end(), largest.begin(), largest.begin() + std::ptrdiff_t(n));
+    starts.insert(starts.end(), largest.begin(), largest.begin() + std::ptrdiff_t(n));
+    std::vector<Climber> result;
+    for(std::size_t i : starts)
+      result.push_back(Climber{m_samples[i],
+                               {m_samples[i].piece, m_deviations[i], m_points[i]}});
     return result;
   }
 
-  // a sample on its way uphill
-  struct Climber
+  // Along a crease of the mesh, the deviation of a surface on its inner side has a ridge, which may
+  // rise between samples by more than these tell.
+  std::vector<Climber> starts_at(const std::vector<Foot>& feet) const
   {
-    Sample sample;
-    Summit summit;
-  };
+    std::vector<Climber> result;
+    for(const Foot& foot : feet)
+    {
+      const Eigen::Vector3d p = m_pieces[foot.piece].point(foot.u, foot.v);
+      Sample sample{foot.piece, foot.u, foot.v, 0};
+      const double deviation = excess(p, m_mesh.foot(p, sample.triangle).distance);
+      if(deviation > CLOSE_TO_LIMIT * m_limit)
+        result.push_back(Climber{sample, {foot.piece, deviation, p}});
+    }
+    return result;
+  }
+
+  // returns the middles of the edges of the mesh at which the ridge may rise that far above samples
+  // beside it
+  template <typename TriangleMesh, typename VertexPointMap>
+  std::vector<Eigen::Vector3d> middles_of_creases(const TriangleMesh& tm,
+                                                  const VertexPointMap& vpm) const
+  {
+    // samples are half an edge apart, and a ridge may be half of that away from one
+    const double rise = (1 - CLOSE_TO_LIMIT) * m_limit / (m_mesh.mean_edge_length() / 4);
+    std::vector<Eigen::Vector3d> result;
+    for(auto e : edges(tm))
+    {
+      const auto h = halfedge(e, tm);
+      if(is_border(e, tm) || !(slope_of_crease(h, tm, vpm) > rise))
+        continue;
+      result.push_back((to_eigen(get(vpm, source(h, tm))) + to_eigen(get(vpm, target(h, tm)))) / 2);
+    }
+    return result;
+  }
+
+  // the sine of half the angle between the normals at an edge
+  template <typename Halfedge, typename TriangleMesh, typename VertexPointMap>
+  static double slope_of_crease(Halfedge h, const TriangleMesh& tm, const VertexPointMap& vpm)
+  {
+    return (normal(h, tm, vpm) - normal(opposite(h, tm), tm, vpm)).norm() / 2;
+  }
+
+  template <typename Halfedge, typename TriangleMesh, typename VertexPointMap>
+  static Eigen::Vector3d normal(Halfedge h, const TriangleMesh& tm, const VertexPointMap& vpm)
+  {
+    const Eigen::Vector3d a = to_eigen(get(vpm, source(h, tm)));
+    const Eigen::Vector3d b = to_eigen(get(vpm, target(h, tm)));
+    return (b - a).cross(to_eigen(get(vpm, target(next(h, tm), tm))) - a).normalized();
+  }
 
   // Tries directions all around with smaller and smaller steps. There have to be many: beside a
   // crease of the mesh the deviation has a ridge, and a step that leaves it goes down. Where that
   // ends closely below the limit, ridges are followed, too.
-  Summit climb_from(std::size_t start) const
+  Summit climb_from(Climber climber) const
   {
     constexpr double FIRST_STEP = 1. / 16, LAST_STEP = 1e-4, LAST_RIDGE_STEP = 1. / 512;
-    Climber climber{m_samples[start],
-                    {m_samples[start].piece, m_deviations[start], m_points[start]}};
     for(double step = FIRST_STEP; step > LAST_STEP; )
       if(!step_uphill(step, climber))
         step /= 2;
@@ -408,21 +464,25 @@ private:
 
   static double clamped(double t) { return (std::min)(1., (std::max)(0., t)); }
 
-  Mesh_point project_mesh_point(const Point_index& index, const Eigen::Vector3d& p) const
+  std::vector<Foot> project_all(const std::vector<Eigen::Vector3d>& points,
+                                const Point_index& index) const
   {
-    double distance = (std::numeric_limits<double>::infinity)();
-    std::size_t nearest_piece = 0;
+    std::vector<Foot> result(points.size());
+    for_each_index(points.size(), [&](std::size_t i) { result[i] = project(points[i], index); });
+    return result;
+  }
+
+  Foot project(const Eigen::Vector3d& p, const Point_index& index) const
+  {
+    Foot result{0, 0, 0, (std::numeric_limits<double>::infinity)()};
     for(std::size_t i : index.nearest(p, NUMBER_OF_STARTS))
     {
-      const Sample& sample = m_samples[i];
-      double u = sample.u, v = sample.v;
-      const double next = project_to_piece(m_pieces[sample.piece], p, u, v);
-      if(!(next < distance))
-        continue;
-      distance = next;
-      nearest_piece = sample.piece;
+      Foot next{m_samples[i].piece, m_samples[i].u, m_samples[i].v, 0};
+      next.distance = project_to_piece(m_pieces[next.piece], p, next.u, next.v);
+      if(next.distance < result.distance)
+        result = next;
     }
-    return {excess(p, distance), nearest_piece};
+    return result;
   }
 
   void note_violation(std::size_t piece, double deviation, const Eigen::Vector3d& p)
