@@ -78,7 +78,7 @@ public:
       m_statistics.add(deviation, queries[i]);
       note_violation(feet[i].piece, deviation, queries[i]);
     }
-    climb(starts_at(project_all(middles_of_creases(tm, vpm), index)));
+    climb(starts_at(project_all(places_on_creases(tm, vpm, index), index)));
   }
 
   const Deviation_statistics& statistics() const { return m_statistics; }
@@ -330,21 +330,26 @@ private:
     return result;
   }
 
-  // returns the middles of the edges of the mesh at which the ridge may rise that far above samples
-  // beside it
+  // returns the middles of the edges of the mesh at which the ridge may rise close to the limit
+  // from the nearest sample
   template <typename TriangleMesh, typename VertexPointMap>
-  std::vector<Eigen::Vector3d> middles_of_creases(const TriangleMesh& tm,
-                                                  const VertexPointMap& vpm) const
+  std::vector<Eigen::Vector3d> places_on_creases(const TriangleMesh& tm, const VertexPointMap& vpm,
+                                                 const Point_index& index) const
   {
-    // samples are half an edge apart, and a ridge may be half of that away from one
-    const double rise = (1 - CLOSE_TO_LIMIT) * m_limit / (m_mesh.mean_edge_length() / 4);
+    // samples are half an edge apart
+    const double least_slope = (1 - CLOSE_TO_LIMIT) * m_limit / (m_mesh.mean_edge_length() / 4);
     std::vector<Eigen::Vector3d> result;
     for(auto e : edges(tm))
     {
       const auto h = halfedge(e, tm);
-      if(is_border(e, tm) || !(slope_of_crease(h, tm, vpm) > rise))
+      const double slope = is_border(e, tm) ? 0 : slope_of_crease(h, tm, vpm);
+      if(!(slope > least_slope))
         continue;
-      result.push_back((to_eigen(get(vpm, source(h, tm))) + to_eigen(get(vpm, target(h, tm)))) / 2);
+      const Eigen::Vector3d middle
+        = (to_eigen(get(vpm, source(h, tm))) + to_eigen(get(vpm, target(h, tm)))) / 2;
+      const std::size_t i = index.nearest(middle, 1).front();
+      if(m_deviations[i] + slope * (m_points[i] - middle).norm() > CLOSE_TO_LIMIT * m_limit)
+        result.push_back(middle);
     }
     return result;
   }
