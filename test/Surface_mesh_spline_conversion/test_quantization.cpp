@@ -1,7 +1,7 @@
 // Quantization of motorcycle graphs: the lengths solve the equations, give boundary loops enough
 // sides, are accepted at any coarseness; and the oracle rejects lengths that merge singularities or
-// let a boundary loop vanish, even if they solve all equations. Searches from both ends find the
-// same walks as those from one.
+// let a boundary loop vanish, even if they solve all equations. With any limit of the work, the
+// lengths are valid. Searches from both ends find the same walks as those from one.
 
 #include "voxel_seamless_maps.h"
 
@@ -94,6 +94,23 @@ int test_merging(const Motorcycle_graph& graph, const std::vector<int>& lengths)
   return tried;
 }
 
+void test_limits_of_work(const Motorcycle_graph& graph, int fractional_bits)
+{
+  for(const double limit : {0., 10., 300.})
+  {
+    const SC::internal::Work_budget budget(limit);
+    Quantization quantization(graph, fractional_bits, budget);
+    const bool is_quantized = quantization.quantize_all_positive();
+    assert(is_quantized);
+    (void)is_quantized;
+    check_lengths(graph, quantization.lengths(), 1);
+    quantization.allow_zeros();
+    check_lengths(graph, quantization.lengths(), 0);
+    assert(Quantization_oracle(graph)(quantization.lengths()));
+    assert(limit > 0 || budget.spent() == 0);
+  }
+}
+
 void test_voxels()
 {
   int number_of_maps = 0, merged = 0, fewer = 0;
@@ -126,6 +143,7 @@ void test_voxels()
     check_lengths(graph, quantization.lengths(), 0);
     fewer += number_of_quads(graph, quantization.lengths()) < quads;
     assert(Quantization_oracle(graph)(quantization.lengths()));
+    test_limits_of_work(graph, map.fractional_bits);
   }
   std::cout << number_of_maps << " voxel maps, " << merged << " merged singularities rejected, "
             << fewer << " layouts with fewer quads by zeros" << std::endl;

@@ -1,22 +1,26 @@
 // The factorisation of sparse matrices, real and complex, by the residual: random patterns, dense
 // ones, blocks without connection, several matrices with one pattern, and indefinite or singular
-// matrices.
+// matrices. The same for diagonally dominant matrices that are symmetric in their pattern only.
 
 #include <CGAL/Surface_mesh_spline_conversion/internal/Sparse_solver.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/Unpivoted_lu.h>
 
 #include <Eigen/Dense>
 
 #include <cassert>
+#include <cmath>
 #include <complex>
 #include <iostream>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
 
 using CGAL::Surface_mesh_spline_conversion::internal::Sparse_solver;
 using CGAL::Surface_mesh_spline_conversion::internal::Supernodal_cholesky;
+using CGAL::Surface_mesh_spline_conversion::internal::Unpivoted_lu;
 
 typedef std::complex<double> Complex;
 typedef Eigen::SparseMatrix<double> Matrix;
@@ -142,6 +146,49 @@ void test_singular()
   assert(!solver.factorize(zero));
 }
 
+// with independent weights on both sides of the diagonal, whose entries are their sums
+Matrix weighted_matrix(int n, const Entries& pattern)
+{
+  Entries entries;
+  std::vector<double> sum(n, 1e-6);
+  for(const auto& entry : pattern)
+    for(const auto& p : {std::make_pair(entry.row(), entry.col()),
+                         std::make_pair(entry.col(), entry.row())})
+    {
+      const double weight = std::exp(5 * random_number());
+      sum[p.first] += weight;
+      entries.emplace_back(p.first, p.second, -weight);
+    }
+  for(int i = 0; i < n; ++i)
+    entries.emplace_back(i, i, sum[i]);
+  Matrix matrix(n, n);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
+
+void test_unpivoted_lu(int n, const Entries& pattern)
+{
+  const Matrix matrix = weighted_matrix(n, pattern);
+  const Unpivoted_lu lu(matrix);
+  assert(lu.is_regular());
+  const Eigen::MatrixX2d wanted = Eigen::MatrixX2d::Random(n, 2), b = matrix * wanted;
+  const Eigen::MatrixX2d residual = matrix * lu.solve(b) - b;
+  assert(residual.norm() <= 1e-12 * b.norm() * n);
+}
+
+void test_unpivoted_lu()
+{
+  test_unpivoted_lu(1, Entries());
+  test_unpivoted_lu(40, Entries());
+  for(int n : {2, 20, 150, 600})
+    test_unpivoted_lu(n, random_entries(n, 4 * n));
+  test_unpivoted_lu(60, random_entries(60, 20000));
+  test_unpivoted_lu(2 * 20 * 20, grid_entries(20));
+  Matrix zero = make_matrix(5, Entries(), 1);
+  zero *= 0;
+  assert(!Unpivoted_lu(zero).is_regular());
+}
+
 } // namespace
 
 int main()
@@ -154,5 +201,6 @@ int main()
   test("grid", 2 * 60 * 60, grid_entries(60), 25);
   test_indefinite();
   test_singular();
+  test_unpivoted_lu();
   return 0;
 }

@@ -4,7 +4,8 @@
 // displaced quads turn left after the motion, which fixes the boundary and keeps the orientation;
 // without displacement, nothing moves. Nor are quads left inverted where the square is pinched,
 // which short motions cannot repair. Where the map has the priority, no quad becomes intolerably
-// uneven by the motions.
+// uneven by the motions. Without limits of the work, all of it is counted; with a limit, it is not
+// exceeded by more than one corner costs, and what has been moved so far makes nothing worse.
 
 #include "voxel_seamless_maps.h"
 
@@ -17,6 +18,7 @@
 #include <cassert>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 using namespace Test;
@@ -248,6 +250,39 @@ void test_pinched_quads()
   check_boundary(smoothing);
 }
 
+// the work that has been counted
+double test_limit_of_work(double limit)
+{
+  Seamless_map map = make_square();
+  for(Eigen::Vector3d& p : map.mesh.points)
+    p = pinched(p);
+  const internal::Work_budget budget(limit);
+  const Vertex_smoothing smoothing(
+    map, make_quads(), [&](const Working_location& at) { return surface_sample(map.mesh, at); },
+    [](int q, double u, double v) { return locate(q, u, v); },
+    Vertex_smoothing::Priority::FLAT_QUADS, budget);
+  check_boundary(smoothing);
+  const double before = least_sine([&](int q, double u, double v)
+    { return point_at(map.mesh, locate(q, u, v)); });
+  const double after = least_sine([&](int q, double u, double v)
+    { return point_at(map.mesh, smoothing(locate(q, u, v))); });
+  assert(after >= before);
+  return budget.spent();
+}
+
+void test_limits_of_work()
+{
+  const double all = test_limit_of_work(std::numeric_limits<double>::infinity());
+  const double half = test_limit_of_work(all / 2);
+  assert(half >= all / 2 && half < 0.75 * all);
+  // corners have to be located in any case
+  assert(test_limit_of_work(1) < all / 50);
+  const internal::Work_budget budget(100), share = budget.share(0.5);
+  share.spend(60);
+  assert(share.is_used_up() && !budget.is_used_up() && budget.spent() == 60);
+  assert(budget.share(0.25).rest() == 10);
+}
+
 void test_undisplaced_quads()
 {
   const Seamless_map map = make_square();
@@ -271,5 +306,6 @@ int main()
   test_pinched_quads();
   test_undisplaced_quads();
   test_priorities();
+  test_limits_of_work();
   return 0;
 }

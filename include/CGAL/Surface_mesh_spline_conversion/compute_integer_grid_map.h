@@ -25,19 +25,19 @@ namespace internal {
 
 // See below. A map that is not valid leads to at most so many repairs of the field.
 inline Error_code compute_integer_grid_map(const Cross_field& field, int most_repairs,
-                                           Integer_grid_map& map)
+                                           const Work_budget& budget, Integer_grid_map& map)
 {
   map = Integer_grid_map();
   map.proxy = field.proxy;
   Seamless_map seamless;
-  const Error_code code = compute_seamless_map(field, seamless, most_repairs);
+  const Error_code code = compute_seamless_map(field, seamless, most_repairs, budget);
   if(code != Error_code::OK)
   {
     map.message = error_message(code);
     return code;
   }
-  return Integer_grid_map_builder(map).build(seamless) ? Error_code::OK
-                                                       : Error_code::NO_QUAD_LAYOUT;
+  return Integer_grid_map_builder(map, budget).build(seamless) ? Error_code::OK
+                                                               : Error_code::NO_QUAD_LAYOUT;
 }
 
 } // namespace internal
@@ -70,7 +70,8 @@ Error_code compute_integer_grid_map(const Cross_field& field, Integer_grid_map& 
                                     const NamedParameters& np = parameters::default_values())
 {
   CGAL_USE(np);
-  return internal::compute_integer_grid_map(field, internal::number_of_rungs, map);
+  return internal::compute_integer_grid_map(field, internal::number_of_rungs,
+                                            internal::Work_budget(), map);
 }
 
 } // namespace Surface_mesh_spline_conversion

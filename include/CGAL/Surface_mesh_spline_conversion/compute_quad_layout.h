@@ -18,6 +18,7 @@
 #include <CGAL/Surface_mesh_spline_conversion/compute_cross_field.h>
 #include <CGAL/Surface_mesh_spline_conversion/compute_integer_grid_map.h>
 #include <CGAL/Surface_mesh_spline_conversion/extract_quad_layout.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/Work_budget.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/layout/Padded_triangulation.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/layout/inverted_quads.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/map/make_working_mesh.h>
@@ -161,12 +162,14 @@ public:
   }
 
 private:
+  enum class Purpose { FIRST_MAP, BETTER_MAP };
+
   Error_code find_map()
   {
     Error_code code = try_mesh(Field_attempt());
     const bool has_proxy = m_field.proxy != nullptr;
     const std::vector<Field_attempt> attempts = further_attempts();
-    for(std::size_t i = 0; i < attempts.size() && has_no_map(code); ++i)
+    for(std::size_t i = 0; i < attempts.size() && can_look_for_map(code); ++i)
     {
       code = try_mesh(attempts[i]);
       // the mesh itself has taken its place: neither is there a finer proxy nor another choice
@@ -199,20 +202,25 @@ private:
     Error_code code = Error_code::NO_SEAMLESS_MAP;
     m_is_folded = false;
     on_mesh.known_proxy = std::make_shared<std::optional<std::shared_ptr<const Proxy_mesh> > >();
-    for(std::size_t i = 0; i < attempts.size() && has_no_map(code) && !m_is_folded; ++i)
+    for(std::size_t i = 0; i < attempts.size() && can_look_for_map(code) && !m_is_folded; ++i)
     {
       on_mesh.spacing = attempts[i].spacing;
-      code = try_once(on_mesh, attempts[i].most_repairs);
+      code = try_once(on_mesh, attempts[i].most_repairs, Purpose::FIRST_MAP);
       if(i == 0)
         append_attempts(m_field, attempts);
     }
     return code;
   }
 
-  Error_code try_once(const Field_attempt& attempt, int most_repairs)
+  bool can_look_for_map(Error_code code) const
+  {
+    return has_no_map(code) && !m_budget.is_used_up();
+  }
+
+  Error_code try_once(const Field_attempt& attempt, int most_repairs, Purpose purpose)
   {
     m_report.message = m_message;
-    const Error_code code = try_to_map(attempt, most_repairs);
+    const Error_code code = try_to_map(attempt, most_repairs, purpose);
     if(code == Error_code::OK)
     {
       m_report.map.fallback = describe(attempt, m_map);
@@ -229,7 +237,9 @@ private:
   {
     return run_stage("quad_layout", m_visitor, m_report, [&]()
     {
-      set_mapped_layout(std::move(m_quads), m_map, m_tm, priority, m_layout, m_np);
+      const double share_of_smoothing = 0.5;
+      set_mapped_layout(std::move(m_quads), m_map, m_tm, priority,
+                        m_spare.share(share_of_smoothing), m_layout, m_np);
       return Error_code::OK;
     });
   }
@@ -243,7 +253,7 @@ private:
       return Error_code::OK;
     Error_code code = Error_code::OK;
     Field_attempt attempt = m_attempt;
-    while(attempt.spacing > smallest_spacing && code == Error_code::OK)
+    while(attempt.spacing > smallest_spacing && code == Error_code::OK && !m_spare.is_used_up())
     {
       attempt.spacing /= 2;
       const int number = number_of_quads();
@@ -279,7 +289,8 @@ private:
     std::set<std::size_t> places = faces_below(inverted);
     bool is_first_map = true;
     Error_code code = Error_code::OK;
-    for(int i = 0; i < most_attempts && code == Error_code::OK && least_number > 0; ++i)
+    for(int i = 0; i < most_attempts && code == Error_code::OK && least_number > 0
+                   && !m_spare.is_used_up(); ++i)
     {
       for(const std::size_t f : places)
         attempt.size_shares[f] /= 2;
@@ -296,9 +307,9 @@ private:
       is_first_map = is_first_map && !is_better;
     }
     const std::string fallback = m_report.map.fallback;
-    if(code == Error_code::OK && least_number > 0)
+    if(code == Error_code::OK && least_number > 0 && !m_spare.is_used_up())
       code = favor_flat_quads(m_map, fallback, faces, least_number);
-    if(code == Error_code::OK && least_number > 0 && !is_first_map)
+    if(code == Error_code::OK && least_number > 0 && !is_first_map && !m_spare.is_used_up())
       code = favor_flat_quads(first_map, first_fallback, faces, least_number);
     return code;
   }
@@ -337,7 +348,7 @@ private:
     Quad_layout<GeomTraits> layout = m_layout;
     const std::string fallback = m_report.map.fallback;
     const Field_attempt before = m_attempt;
-    Error_code code = try_once(attempt, m_most_repairs);
+    Error_code code = try_once(attempt, m_most_repairs, Purpose::BETTER_MAP);
     is_better = false;
     if(code == Error_code::OK)
       code = judge();
@@ -350,6 +361,15 @@ private:
     m_report.message = m_message;
     m_attempt = before;
     return Error_code::OK;
+  }
+
+  // in proportion to the size of the problem, but for small ones
+  void set_budgets()
+  {
+    const double base = 11e6, elements = 10000, share_of_improvements = 0.75;
+    m_budget = Work_budget(
+      base * (1 + (double(num_faces(m_tm)) + needed_number_of_quads()) / elements));
+    m_spare = m_budget.share(share_of_improvements);
   }
 
   // what quads of the wanted size need, and about four quads around each loop and each half handle
@@ -375,13 +395,15 @@ private:
     return faces;
   }
 
-  Error_code try_to_map(const Field_attempt& attempt, int most_repairs)
+  Error_code try_to_map(const Field_attempt& attempt, int most_repairs, Purpose purpose)
   {
     m_map = Integer_grid_map();
     const Error_code code = run_stage("cross_field", m_visitor, m_report, [&]()
       { return compute_cross_field(m_tm, m_network, attempt, m_field, m_np); });
     if(code != Error_code::OK)
       return code;
+    if(m_budget.spent() == 0)
+      set_budgets();
     m_is_folded = m_field.proxy && m_field.proxy->is_folded;
     if(m_is_folded)
     {
@@ -390,8 +412,20 @@ private:
     }
     return run_stage("integer_grid_map", m_visitor, m_report, [&]()
     {
-      const Error_code map_code = compute_integer_grid_map(m_field, most_repairs, m_map);
-      return map_code == Error_code::OK ? find_quads(m_map, m_quads) : map_code;
+      const bool is_first = purpose == Purpose::FIRST_MAP;
+      const double share_of_map = 0.75;
+      const Work_budget budget = (is_first ? m_budget : m_spare).share(share_of_map);
+      const double faces = m_field.mesh.number_of_faces(), spent = budget.spent();
+      if(!is_first && faces * m_work_per_face > budget.rest())
+        return Error_code::NO_QUAD_LAYOUT;
+      const Error_code map_code
+        = compute_integer_grid_map(m_field, most_repairs, budget, m_map);
+      m_work_per_face = (budget.spent() - spent) / faces;
+      if(map_code != Error_code::OK)
+        return map_code;
+      // what has not been finished is not better
+      return is_first || !budget.is_used_up() ? find_quads(m_map, m_quads)
+                                              : Error_code::NO_QUAD_LAYOUT;
     });
   }
 
@@ -408,6 +442,9 @@ private:
   bool m_is_folded = false;    // the last proxy
   Field_attempt m_attempt;     // the last one that succeeded, and its repairs
   int m_most_repairs = 0;
+  Work_budget m_budget;        // known with the first field
+  Work_budget m_spare;         // the part of it within which layouts are made better
+  double m_work_per_face = 0;  // of the last map
 };
 
 // the quads of an integer grid map
@@ -432,15 +469,15 @@ the quads of this map.
 Where the map fails, singularities are moved, and quads that are larger than the features of the
 shape are given singularities at smaller distances. Where the projection from a proxy turns out to
 have folds, finer proxies are tried; then the mesh itself in place of a proxy, or the other way
-round. The mesh itself comes before finer proxies if it has fewer faces than its proxy. Where there are
-more than twice the quads that size, loops and handles need, smaller distances of the singularities are
-tried as well, and the layout with the fewest quads is kept. Where quads
-of the layout are inverted when they are drawn flat, smaller ones are tried around them, and around
-those that are inverted then; the layout with the fewest of them is kept. What cannot fail comes last,
-if there is no map: the mesh is
-coarsened, a ring of quads is laid along each boundary loop, and each triangle in between is divided
-into three quads. Such a layout is valid, but has many extraordinary points; its corners are regular
-vertices even where the boundary is convex.
+round. The mesh itself comes before finer proxies if it has fewer faces than its proxy. Where there
+are more than twice the quads that size, loops and handles need, smaller distances of the
+singularities are tried as well, and the layout with the fewest quads is kept. Where quads of the
+layout are inverted when they are drawn flat, smaller ones are tried around them, and around those
+that are inverted then; the layout with the fewest of them is kept. The work of all this is counted,
+and ends in proportion to the numbers of triangles and of wanted quads. What cannot fail comes last,
+if there is no map: the mesh is coarsened, a ring of quads is laid along each boundary loop, and each
+triangle in between is divided into three quads. Such a layout is valid, but has many extraordinary
+points; its corners are regular vertices even where the boundary is convex.
 `Conversion_report::Map::fallback` says which of these was needed.
 
 \tparam TriangleMesh a model of `HalfedgeListGraph` and `FaceListGraph`

@@ -136,11 +136,12 @@ inline Error_code find_quads(const Integer_grid_map& map, Mapped_quads& quads)
   return *quads.build(map) == 0 ? Error_code::OK : Error_code::NO_QUAD_LAYOUT;
 }
 
-// The layout of the quads of a map, after motions that give them better shapes.
+// The layout of the quads of a map, after motions that give them better shapes, as many as the
+// budget allows.
 template <typename TriangleMesh, typename GeomTraits, typename NamedParameters>
 void set_mapped_layout(Mapped_quads quads, const Integer_grid_map& map, const TriangleMesh& tm,
-                       Vertex_smoothing::Priority priority, Quad_layout<GeomTraits>& layout,
-                       const NamedParameters& np)
+                       Vertex_smoothing::Priority priority, const Work_budget& budget,
+                       Quad_layout<GeomTraits>& layout, const NamedParameters& np)
 {
   const auto vpm = parameters::choose_parameter(
     parameters::get_parameter(np, internal_np::vertex_point),
@@ -150,13 +151,13 @@ void set_mapped_layout(Mapped_quads quads, const Integer_grid_map& map, const Tr
   if(!map.proxy)
   {
     quads.smooth(map, [&](const Working_location& at) { return surface_sample(mesh, at); },
-                 priority);
+                 priority, budget);
     set_layout(std::move(quads), mesh, corners, layout);
     return;
   }
   const auto image = std::make_shared<const Proxy_image>(mesh, map.proxy);
   quads.smooth(map, [&](const Working_location& at)
-    { return surface_sample(image->original(), (*image)(at)); }, priority);
+    { return surface_sample(image->original(), (*image)(at)); }, priority, budget);
   const Quad_grid grid = quads.quads();
   set_layout(grid, mesh, map.proxy->mesh.number_of_vertices(),
              std::make_shared<const Proxy_inverse_map<GeomTraits> >(std::move(quads), image,
@@ -221,7 +222,8 @@ Error_code extract_quad_layout(const Integer_grid_map& map, const TriangleMesh& 
   const Error_code code = internal::find_quads(map, quads);
   if(code == Error_code::OK)
     internal::set_mapped_layout(std::move(quads), map, tm,
-                                internal::Vertex_smoothing::Priority::EVEN_MAP, layout, np);
+                                internal::Vertex_smoothing::Priority::EVEN_MAP,
+                                internal::Work_budget(), layout, np);
   return code;
 }
 

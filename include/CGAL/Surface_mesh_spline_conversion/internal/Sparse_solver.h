@@ -62,6 +62,16 @@ public:
 #endif
   }
 
+  // about the multiplications of a factorisation. \pre The pattern has been analyzed.
+  double number_of_operations()
+  {
+#ifdef CGAL_SURFACE_MESH_SPLINE_CONVERSION_USE_CHOLMOD
+    return m_cholesky.cholmod().fl / 2;
+#else
+    return m_cholesky.pattern()->number_of_operations();
+#endif
+  }
+
   // Returns `false` if the matrix is singular.
   bool factorize(const Matrix& lower)
   {

@@ -71,6 +71,15 @@ public:
   std::size_t first_value(int s) const { return m_value_start[s]; }
   std::size_t number_of_values() const { return m_value_start.back(); }
 
+  // about the multiplications of a factorisation
+  double number_of_operations() const
+  {
+    double sum = 0;
+    for(int s = 0; s < number_of_supernodes(); ++s)
+      sum += static_cast<double>(columns(s)) * height(s) * height(s) / 2;
+    return sum;
+  }
+
   const Entry* entries_begin(int s) const { return m_entry.data() + m_entry_start[s]; }
   const Entry* entries_end(int s) const { return m_entry.data() + m_entry_start[s + 1]; }
 

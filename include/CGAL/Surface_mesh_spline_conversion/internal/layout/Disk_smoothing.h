@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
+#include <CGAL/Surface_mesh_spline_conversion/internal/Work_budget.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/layout/Harmonic_disk.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/layout/Quad_grid.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/layout/scaled_jacobian.h>
@@ -38,9 +39,10 @@ public:
 
   // `locate`: the point of the working mesh at the local coordinates of a quad, without motions
   template <typename Locate>
-  Disk_smoothing(const Seamless_map& map, const Quad_grid& grid, const Locate& locate)
+  Disk_smoothing(const Seamless_map& map, const Quad_grid& grid, const Locate& locate,
+                 const Work_budget& budget = Work_budget())
     : m_disks_at(map.mesh.number_of_faces()), m_map(&map), m_grid(&grid),
-      m_quads_at(map.mesh.number_of_faces())
+      m_quads_at(map.mesh.number_of_faces()), m_budget(budget)
   {
     locate_quads(locate);
     std::vector<std::pair<double, int> > bad;
@@ -49,7 +51,7 @@ public:
         bad.emplace_back(shape, q);
     std::sort(bad.begin(), bad.end());
     for(const auto& quad : bad)
-      if(shape_of(quad.second, Change()) < good_shape)
+      if(!m_budget.is_used_up() && shape_of(quad.second, Change()) < good_shape)
         smooth(quad.second);
     forget_construction();
   }
@@ -138,7 +140,8 @@ private:
     Map_neighborhood neighborhood(*m_map, change.disk.centers, radius);
     while(change.replaced.size() <= most_replaced)
     {
-      const auto disk = std::make_shared<Harmonic_disk>(neighborhood, radius);
+      const auto disk = std::make_shared<Harmonic_disk>(
+        neighborhood, radius, Harmonic_disk::Weights::GEOMETRIC, m_budget);
       if(!disk->is_valid() || !disk->follow_map()
          || disk->squeezed_share() > largest_squeezed_share)
         return false;
@@ -271,6 +274,7 @@ private:
   const Quad_grid* m_grid = nullptr;
   std::vector<std::array<Working_location, 5> > m_places; // per quad: its corners and its middle
   std::vector<std::vector<int> > m_quads_at;              // per face: quads with a corner there
+  Work_budget m_budget;
 };
 
 } // namespace internal

@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
+#include <CGAL/Surface_mesh_spline_conversion/internal/Work_budget.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/field/Face_geometry.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/layout/Flat_triangles.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/layout/Map_neighborhood.h>
@@ -45,15 +46,17 @@ public:
   // The disk is the part of the neighborhood that is not farther away than `radius`, in quads. See
   // `is_valid()`; nothing moves yet.
   Harmonic_disk(const Map_neighborhood& neighborhood, double radius,
-                Weights weights = Weights::GEOMETRIC)
+                Weights weights = Weights::GEOMETRIC, const Work_budget& budget = Work_budget())
     : m_weights(weights)
   {
     copy_faces(neighborhood);
-    if(!divide_long_edges(radius))
-      return;
-    divide_at(radius);
-    cut_off(radius);
-    m_is_valid = find_boundary() && is_disk() && lay_surface_flat();
+    if(divide_long_edges(radius))
+    {
+      divide_at(radius);
+      cut_off(radius);
+      m_is_valid = find_boundary() && is_disk() && lay_surface_flat();
+    }
+    spend(neighborhood, budget);
     if(!m_is_valid)
       return;
     index_faces();
@@ -224,6 +227,14 @@ private:
           return true;
     }
     return false;
+  }
+
+  // for a neighborhood and a disk
+  void spend(const Map_neighborhood& neighborhood, const Work_budget& budget) const
+  {
+    const double work_per_face = 1.2, work_per_face_of_mesh = 1e-3;
+    budget.spend(work_per_face * m_mesh.number_of_faces()
+                 + work_per_face_of_mesh * neighborhood.map().mesh.number_of_faces());
   }
 
   void copy_faces(const Map_neighborhood& neighborhood)

@@ -33,7 +33,10 @@ namespace internal {
 class Integer_grid_map_builder
 {
 public:
-  explicit Integer_grid_map_builder(Integer_grid_map& result) : m_result(result) {}
+  explicit Integer_grid_map_builder(Integer_grid_map& result,
+                                    const Work_budget& budget = Work_budget())
+    : m_result(result), m_budget(budget)
+  {}
 
   // returns `false` if there is no layout; the result then says why
   bool build(const Seamless_map& seamless)
@@ -44,7 +47,7 @@ public:
     if(!m_result.message.empty())
       return false;
     measure_area();
-    Quantization quantization(m_result.graph, seamless.fractional_bits);
+    Quantization quantization(m_result.graph, seamless.fractional_bits, m_budget);
     if(!quantization.quantize_all_positive())
     {
       m_result.message = "no integer lengths were found for the motorcycle graph";
@@ -52,7 +55,7 @@ public:
     }
     const std::vector<std::vector<int> > attempts = wanted_lengths(quantization);
     for(const std::vector<int>& lengths : attempts)
-      if(solve_again(seamless, lengths))
+      if(is_worth_a_try(attempts, lengths) && solve_again(seamless, lengths))
         return true;
     return compose_rectangles(seamless, attempts.back());
   }
@@ -69,6 +72,13 @@ private:
     lengths.push_back(positive_lengths);
     lengths.erase(std::unique(lengths.begin(), lengths.end()), lengths.end());
     return lengths;
+  }
+
+  // Without work left, only the best lengths and the safest ones are tried.
+  bool is_worth_a_try(const std::vector<std::vector<int> >& attempts,
+                      const std::vector<int>& lengths) const
+  {
+    return !m_budget.is_used_up() || &lengths == &attempts.front() || &lengths == &attempts.back();
   }
 
   void measure_area()
@@ -88,7 +98,7 @@ private:
     const std::vector<Integer_constraint> constraints
       = integer_constraints(seamless, m_result.graph, lengths);
     Seamless_map resolved;
-    if(!solve_integer_grid_map(seamless, constraints, resolved))
+    if(!solve_integer_grid_map(seamless, constraints, resolved, m_budget))
     {
       m_result.message = "the map could not be solved with integer singularities";
       return false;
@@ -135,6 +145,7 @@ private:
   }
 
   Integer_grid_map& m_result;
+  Work_budget m_budget;
 };
 
 } // namespace internal

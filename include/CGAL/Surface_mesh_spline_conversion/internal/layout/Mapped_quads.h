@@ -50,13 +50,14 @@ public:
   // Moves the corners of badly shaped quads and their neighbours, where this makes them better.
   // `image`: where the layout has a point of the working mesh
   void smooth(const Integer_grid_map& igm, const Vertex_smoothing::Image& image,
-              Vertex_smoothing::Priority priority)
+              Vertex_smoothing::Priority priority, const Work_budget& budget)
   {
+    const double share_of_disks = 0.5;
     m_disk_smoothing = Disk_smoothing(igm.map, m_quads, [this](int quad, double u, double v)
-      { return locate(quad, u, v); });
+      { return locate(quad, u, v); }, budget.share(share_of_disks));
     m_vertex_smoothing
       = Vertex_smoothing(igm.map, m_quads, image, [this](int quad, double u, double v)
-        { return m_disk_smoothing(locate(quad, u, v)); }, priority);
+        { return m_disk_smoothing(locate(quad, u, v)); }, priority, budget);
   }
 
   const Quad_grid& quads() const { return m_quads; }

@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
+#include <CGAL/Surface_mesh_spline_conversion/internal/Work_budget.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/layout/Harmonic_disk.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/layout/Quad_grid.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/layout/evenness.h>
@@ -62,9 +63,10 @@ public:
   // `locate`: the point of the working mesh at the local coordinates of a quad, before the motions
   template <typename Locate>
   Vertex_smoothing(const Seamless_map& map, const Quad_grid& grid, const Image& image,
-                   const Locate& locate, Priority priority = Priority::EVEN_MAP)
+                   const Locate& locate, Priority priority = Priority::EVEN_MAP,
+                   const Work_budget& budget = Work_budget())
     : m_motions_at(map.mesh.number_of_faces()), m_map(&map), m_grid(&grid), m_image(image),
-      m_locate(locate), m_priority(priority)
+      m_locate(locate), m_priority(priority), m_budget(budget)
   {
     locate_vertices(locate);
     improve_all(tolerable_shape, Reach::NEAR);
@@ -94,6 +96,9 @@ private:
 
   // of the map in a quad: see `evenness()`
   static constexpr double tolerable_evenness = 0.1;
+
+  // of images of points
+  static constexpr double work_per_image = 3;
 
   // disks around the corner and short motions; disks beside it and motions through all of the disk
   enum class Reach { NEAR, FAR };
@@ -136,6 +141,7 @@ private:
 
   void move_vertex(int v, const Working_location& at)
   {
+    m_budget.spend(work_per_image);
     m_vertices[v] = at;
     m_points[v] = m_image(at).point;
   }
@@ -186,7 +192,7 @@ private:
     {
       is_changed = false;
       for(int q = 0; q < m_grid->number_of_quads(); ++q)
-        if(shape_of(q) <= bad_shape)
+        if(!m_budget.is_used_up() && shape_of(q) <= bad_shape)
           is_changed = improve(q, reach) || is_changed;
     }
   }
@@ -217,7 +223,8 @@ private:
     for(const double radius : {0.8, 0.4, 0.2}) // in quads
     {
       const auto disk = std::make_shared<Harmonic_disk>(
-        Map_neighborhood(*m_map, std::vector<Working_location>(1, m_vertices[v]), radius), radius);
+        Map_neighborhood(*m_map, std::vector<Working_location>(1, m_vertices[v]), radius), radius,
+        Harmonic_disk::Weights::GEOMETRIC, m_budget);
       if(disk->is_valid() && shift(v, disk, failure))
         return true;
     }
@@ -252,7 +259,8 @@ private:
     const Map_neighborhood neighborhood(*m_map, std::vector<Working_location>(1, middle), radius);
     if(!neighborhood.reaches_border())
       known.disk = std::make_shared<Harmonic_disk>(neighborhood, radius,
-                                                   Harmonic_disk::Weights::COMBINATORIAL);
+                                                   Harmonic_disk::Weights::COMBINATORIAL,
+                                                   m_budget);
     return known.disk;
   }
 
@@ -395,6 +403,7 @@ private:
   double evenness_after(const Motion& motion, int quad) const
   {
     const double cells = samples_per_side - 1;
+    m_budget.spend(work_per_image * samples_per_side * samples_per_side);
     std::vector<Surface_sample> samples;
     for(int j = 0; j < samples_per_side; ++j)
       for(int i = 0; i < samples_per_side; ++i)
@@ -440,6 +449,7 @@ private:
   Image m_image;
   std::function<Working_location(int, double, double)> m_locate; // before the motions
   Priority m_priority = Priority::EVEN_MAP;
+  Work_budget m_budget;
   std::vector<Working_location> m_vertices;     // per vertex of the grid
   std::vector<Eigen::Vector3d> m_points;        // per vertex of the grid, on the layout's surface
   std::vector<Working_location> m_middles;      // per quad

@@ -11,14 +11,13 @@
 
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
+#include <CGAL/Surface_mesh_spline_conversion/internal/Unpivoted_lu.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/map/Working_mesh.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
-#include <Eigen/SparseLU>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -27,23 +26,18 @@ namespace Surface_mesh_spline_conversion {
 namespace internal {
 
 template <typename Vector>
-double corner_angle(const std::pair<Vector, Vector>& corner)
+double tangent_of_half_angle(const std::pair<Vector, Vector>& corner)
 {
   // by the diagonals of a rhombus
   const Vector a = corner.first.normalized(), b = corner.second.normalized();
-  return 2 * std::atan2((a - b).norm(), (a + b).norm());
+  return (a - b).norm() / (a + b).norm();
 }
 
 template <typename Vector>
 double cotangent(const std::pair<Vector, Vector>& corner)
 {
-  return 1 / std::tan(corner_angle(corner));
-}
-
-template <typename Vector>
-double tangent_of_half_angle(const std::pair<Vector, Vector>& corner)
-{
-  return std::tan(corner_angle(corner) / 2);
+  const double t = tangent_of_half_angle(corner);
+  return (1 / t - t) / 2;
 }
 
 // the neighbours of an inner vertex with their weights
@@ -52,20 +46,26 @@ std::vector<std::pair<int, double> > harmonic_weights_at(const Working_mesh& mes
                                                          const Corner_vectors& corner)
 {
   const double smallest_weight = 1e-3;
-  std::vector<std::pair<int, double> > harmonic, mean_value;
+  std::vector<std::pair<int, double> > weights;
   bool is_positive = true;
   mesh.for_each_outgoing(v, [&](int h)
   {
-    const int o = mesh.opposite[h], w = mesh.target(h);
     const double weight = cotangent(corner(Working_mesh::previous(h)))
-                          + cotangent(corner(Working_mesh::previous(o)));
+                          + cotangent(corner(Working_mesh::previous(mesh.opposite[h])));
     is_positive = is_positive && weight > -smallest_weight;
-    harmonic.emplace_back(w, (std::max)(smallest_weight, weight));
-    mean_value.emplace_back(w, (tangent_of_half_angle(corner(h))
-                                + tangent_of_half_angle(corner(Working_mesh::next(o))))
-                               / corner(h).first.norm());
+    weights.emplace_back(mesh.target(h), (std::max)(smallest_weight, weight));
   });
-  return is_positive ? harmonic : mean_value;
+  if(is_positive)
+    return weights;
+  weights.clear();
+  mesh.for_each_outgoing(v, [&](int h)
+  {
+    const int beside = Working_mesh::next(mesh.opposite[h]);
+    weights.emplace_back(mesh.target(h), (tangent_of_half_angle(corner(h))
+                                          + tangent_of_half_angle(corner(beside)))
+                                         / corner(h).first.norm());
+  });
+  return weights;
 }
 
 // Sets the inner points to harmonic coordinates. All weights are positive, so that nothing folds
@@ -81,6 +81,8 @@ bool set_harmonic_coordinates(const Working_mesh& mesh, std::vector<Eigen::Vecto
   for(int v = 0; v < mesh.number_of_vertices(); ++v)
     if(!mesh.is_border_vertex(v))
       unknown[v] = n++;
+  if(n == 0)
+    return false;
   std::vector<Eigen::Triplet<double> > entries;
   Eigen::MatrixX2d right = Eigen::MatrixX2d::Zero(n, 2);
   const auto add = [&](int i, int w, double weight)
@@ -97,10 +99,9 @@ bool set_harmonic_coordinates(const Working_mesh& mesh, std::vector<Eigen::Vecto
         add(i, weight.first, weight.second);
   Eigen::SparseMatrix<double> matrix(n, n);
   matrix.setFromTriplets(entries.begin(), entries.end());
-  Eigen::SparseLU<Eigen::SparseMatrix<double> > solver;
-  if(n > 0)
-    solver.compute(matrix);
-  if(n == 0 || solver.info() != Eigen::Success)
+  // all rows are diagonally dominant
+  const Unpivoted_lu solver(matrix);
+  if(!solver.is_regular())
     return false;
   const Eigen::MatrixX2d x = solver.solve(right);
   for(int v = 0; v < mesh.number_of_vertices(); ++v)

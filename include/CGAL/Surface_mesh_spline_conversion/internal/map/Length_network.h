@@ -150,6 +150,9 @@ public:
     return true;
   }
 
+  // see `Walk_search`
+  double number_of_visits() const { return m_find_walk.number_of_visits(); }
+
   // the change of cost of the pending changes
   double pending_cost() const { return m_pending_cost; }
 

@@ -12,6 +12,7 @@
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
 #include <CGAL/Surface_mesh_spline_conversion/internal/Sparse_solver.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/Work_budget.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/map/Cut_graph.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/map/Distortion_energy.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/map/seam_equations.h>
@@ -40,15 +41,17 @@ public:
     double area;
   };
 
-  Map_system(const Working_mesh& mesh, const Cut_graph& cut, const Map_space& space)
+  Map_system(const Working_mesh& mesh, const Cut_graph& cut, const Map_space& space,
+             const Work_budget& budget)
     : m_space(space), m_number_of_faces(mesh.number_of_faces()),
-      m_wedge(mesh.number_of_halfedges())
+      m_wedge(mesh.number_of_halfedges()), m_budget(budget)
   {
     for(int corner = 0; corner < mesh.number_of_halfedges(); ++corner)
       m_wedge[corner] = cut.wedge(corner);
     collect_entries();
     build_pattern();
     m_solver.analyze(m_matrix);
+    estimate_work();
   }
 
   std::vector<Reference>& references() { return m_reference; }
@@ -95,6 +98,7 @@ public:
   template <typename Model>
   bool assemble(const Eigen::VectorXd& x, const Eigen::VectorXd* drift, Model model)
   {
+    m_budget.spend(m_work_per_step);
     std::fill(m_matrix.valuePtr(), m_matrix.valuePtr() + m_matrix.nonZeros(), 0.);
     m_gradient.setZero(m_space.number_of_free_variables());
     for(int f = 0; f < m_number_of_faces; ++f)
@@ -150,6 +154,13 @@ private:
         B(2 * q + c, 4 + q) = G(1, c);
       }
     return B;
+  }
+
+  void estimate_work()
+  {
+    const double work_per_place = 0.03, work_per_operation = 2e-4;
+    m_work_per_step = work_per_place * static_cast<double>(m_place.size())
+                      + work_per_operation * m_solver.number_of_operations();
   }
 
   // the columns that each face depends on, sorted, and how
@@ -282,6 +293,8 @@ private:
   Matrix m_matrix;
   Eigen::VectorXd m_gradient;
   Sparse_solver<double> m_solver;
+  Work_budget m_budget;
+  double m_work_per_step = 0;
 };
 
 } // namespace internal

@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
+#include <CGAL/Surface_mesh_spline_conversion/internal/Work_budget.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/map/Length_network.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/map/Quantization_oracle.h>
 
@@ -26,13 +27,15 @@ namespace CGAL {
 namespace Surface_mesh_spline_conversion {
 namespace internal {
 
-// Finds integer lengths of the arcs of a T-mesh near the real ones.
+// Finds integer lengths of the arcs of a T-mesh near the real ones. When the budget is used up,
+// those that have been found so far are kept.
 class Quantization
 {
 public:
-  Quantization(const Motorcycle_graph& graph, int fractional_bits)
+  Quantization(const Motorcycle_graph& graph, int fractional_bits,
+               const Work_budget& budget = Work_budget())
     : m_graph(graph), m_real_lengths(real_lengths(graph, fractional_bits)),
-      m_targets(m_real_lengths), m_network(graph, m_targets), m_oracle(graph)
+      m_targets(m_real_lengths), m_network(graph, m_targets), m_oracle(graph), m_budget(budget)
   {
     find_loops();
   }
@@ -53,7 +56,7 @@ public:
   void allow_zeros()
   {
     descend_to_zeros();
-    if(quads_per_area(1) > largest_waste)
+    if(quads_per_area(1) > largest_waste && !m_budget.is_used_up())
       approach_from_finer_lengths();
   }
 
@@ -227,6 +230,8 @@ private:
         for(const int change : {-1, 1})
         {
           int& before = changes_before[arc][change > 0];
+          if(m_budget.is_used_up())
+            return;
           if(before != number_of_changes && try_change(arc, change, use_oracle))
             ++number_of_changes;
           else
@@ -248,10 +253,10 @@ private:
 
   bool try_change(int arc, int change, bool use_oracle)
   {
-    if(m_network.marginal_cost(arc, change) >= 0 || !m_network.change(arc, change))
+    if(m_network.marginal_cost(arc, change) >= 0 || !change_length(arc, change))
       return false;
     if(m_network.pending_cost() < -smallest_gain && has_large_loops()
-       && (!use_oracle || m_oracle(m_network.lengths())))
+       && (!use_oracle || is_valid()))
     {
       m_network.commit();
       return true;
@@ -260,11 +265,29 @@ private:
     return false;
   }
 
+  // `Length_network::change()`
+  bool change_length(int arc, int change)
+  {
+    const double work_per_visit = 0.2, visits = m_network.number_of_visits();
+    const bool is_changed = m_network.change(arc, change);
+    m_budget.spend(work_per_visit * (m_network.number_of_visits() - visits));
+    return is_changed;
+  }
+
+  bool is_valid()
+  {
+    const double work_per_point = 0.03;
+    const bool result = m_oracle(m_network.lengths());
+    m_budget.spend(work_per_point * static_cast<double>(m_oracle.number_of_points()));
+    return result;
+  }
+
   const Motorcycle_graph& m_graph;
   std::vector<double> m_real_lengths;          // in quads
   std::vector<double> m_targets;               // the real lengths times a scale
   Length_network m_network;
   Quantization_oracle m_oracle;
+  Work_budget m_budget;
   std::vector<std::vector<int> > m_loops;      // boundary arcs
   std::vector<int> m_positive_bounds;
   std::vector<std::vector<int> > m_finer_lengths;

@@ -45,6 +45,9 @@ public:
     return has_right_vertices(lengths);
   }
 
+  // those of the last decision, a measure of its work
+  std::size_t number_of_points() const { return m_parent.size(); }
+
 private:
   // a class of identified grid points
   struct Point_class

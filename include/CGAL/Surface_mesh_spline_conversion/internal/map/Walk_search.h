@@ -69,6 +69,9 @@ public:
     m_costs[change.arc][change.amount > 0] = cost;
   }
 
+  // how many states all searches have left, a measure of their work
+  double number_of_visits() const { return m_number_of_visits; }
+
   // `true` if some steps lead out of the network
   bool has_open_ends() const { return m_has_open_ends; }
 
@@ -93,6 +96,7 @@ public:
       const Item item = pop(m_forward.queue);
       if(item.first > m_forward.labels[item.second].distance || is_hopeless(item))
         continue;
+      ++m_number_of_visits;
       for(int i = m_first_step[item.second]; i < m_first_step[item.second + 1]; ++i)
       {
         if(!is_allowed(m_steps[i].change))
@@ -213,6 +217,7 @@ private:
   double m_limit = 0;             // length of the shortest walk found so far
   double m_radius = 0;            // the states without a label are at least this far from the ends
   int m_stamp = 0;
+  double m_number_of_visits = 0;
 };
 
 } // namespace internal

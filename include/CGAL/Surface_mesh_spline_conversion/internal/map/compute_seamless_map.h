@@ -39,9 +39,9 @@ struct Map_statistics
 class Seamless_map_solver
 {
 public:
-  explicit Seamless_map_solver(const Cross_field& field)
+  Seamless_map_solver(const Cross_field& field, const Work_budget& budget)
     : m_field(field), m_mesh(field.mesh), m_geometry(field.mesh, field.axis),
-      m_cut(field.mesh, field.period_jump, field.quarter_turns)
+      m_cut(field.mesh, field.period_jump, field.quarter_turns), m_budget(budget)
   {}
 
   // returns the vertices where the map is not valid; `true` in `first` if systems could be solved
@@ -52,7 +52,7 @@ public:
       equations.pin(3 * root);
     if(!equations.solve(m_space))
       return std::make_pair(false, std::vector<int>());
-    Map_system system(m_mesh, m_cut, m_space);
+    Map_system system(m_mesh, m_cut, m_space, m_budget);
     if(!compute_scales() || !compute_initial_map(system))
       return std::make_pair(false, std::vector<int>());
 
@@ -171,6 +171,7 @@ private:
   const Working_mesh& m_mesh;
   Face_geometry m_geometry;
   Cut_graph m_cut;
+  Work_budget m_budget;
   Map_space m_space;
   std::vector<double> m_scale;                        // per face
   std::vector<Map_system::Reference> m_references;    // per face, unscaled
@@ -199,22 +200,24 @@ inline Error_code repair(int rung, const std::vector<int>& vertices, Cross_field
 }
 
 // Computes a seamless map that follows `input`. Where this fails, singularities are moved and the
-// mesh is refined, at most as many times as there are repairs.
+// mesh is refined, at most as many times as there are repairs, and as the budget allows.
 inline Error_code compute_seamless_map(const Cross_field& input, Seamless_map& map,
                                        Map_statistics& statistics,
-                                       int most_repairs = number_of_rungs)
+                                       int most_repairs = number_of_rungs,
+                                       const Work_budget& budget = Work_budget())
 {
   Cross_field field = input;
   for(int rung = 0;; ++rung)
   {
     const std::pair<bool, std::vector<int> > result
-      = Seamless_map_solver(field).solve(map, statistics);
+      = Seamless_map_solver(field, budget).solve(map, statistics);
     if(!result.first)
       return Error_code::SINGULAR_SYSTEM;
     map.repairs = rung;
     if(result.second.empty())
       return Error_code::OK;
-    if(rung == most_repairs || (rung > 0 && result.second.size() > most_repairable_vertices))
+    if(rung == most_repairs || (rung > 0 && result.second.size() > most_repairable_vertices)
+       || budget.is_used_up())
       return Error_code::NO_SEAMLESS_MAP;
     const Error_code code = repair(rung + 1, result.second, field);
     if(code != Error_code::OK)
@@ -223,10 +226,11 @@ inline Error_code compute_seamless_map(const Cross_field& input, Seamless_map& m
 }
 
 inline Error_code compute_seamless_map(const Cross_field& field, Seamless_map& map,
-                                       int most_repairs = number_of_rungs)
+                                       int most_repairs = number_of_rungs,
+                                       const Work_budget& budget = Work_budget())
 {
   Map_statistics statistics;
-  return compute_seamless_map(field, map, statistics, most_repairs);
+  return compute_seamless_map(field, map, statistics, most_repairs, budget);
 }
 
 } // namespace internal

@@ -28,16 +28,16 @@ namespace internal {
 class Integer_grid_map_solver
 {
 public:
-  explicit Integer_grid_map_solver(const Seamless_map& start)
+  Integer_grid_map_solver(const Seamless_map& start, const Work_budget& budget)
     : m_start(start), m_mesh(start.mesh), m_cut(m_mesh, start.rotation, start.cone),
-      m_component(face_components(m_mesh))
+      m_component(face_components(m_mesh)), m_budget(budget)
   {}
 
   bool solve(const std::vector<Integer_constraint>& constraints, Seamless_map& result)
   {
     if(m_cut.rotation() != m_start.rotation || !set_up_equations(constraints))
       return false;
-    Map_system system(m_mesh, m_cut, m_space);
+    Map_system system(m_mesh, m_cut, m_space, m_budget);
     set_references(system);
     set_start(system);
     if(!follow_path(system) && !jump_and_untangle(system))
@@ -211,6 +211,7 @@ private:
   Map_space m_space;
   Map_iterate m_iterate;
   Eigen::VectorXd m_drift;        // violation of the constraints, as a change of the scalars
+  Work_budget m_budget;
 };
 
 // Computes a seamless map with the combinatorics of `start` in which the differences between
@@ -219,9 +220,10 @@ private:
 // are integers. Returns `false` if the constraints contradict each other or no such map was found.
 inline bool solve_integer_grid_map(const Seamless_map& start,
                                    const std::vector<Integer_constraint>& constraints,
-                                   Seamless_map& result)
+                                   Seamless_map& result,
+                                   const Work_budget& budget = Work_budget())
 {
-  return Integer_grid_map_solver(start).solve(constraints, result);
+  return Integer_grid_map_solver(start, budget).solve(constraints, result);
 }
 
 } // namespace internal
