@@ -88,17 +88,10 @@ public:
   }
 
   // computes the points of a patch on a uniform grid, see `Surface::positions()`
+  // \pre the patch has a Bezier form
   void points(size_type patch, size_type nu, size_type nv, std::vector<Eigen::Vector3d>& out) const
   {
     out.clear();
-    if(m_elements[patch].empty())
-    {
-      std::vector<typename Surface::Point_3> points;
-      m_surface.positions(patch, nu, nv, points);
-      for(const auto& p : points)
-        out.push_back(to_eigen(p));
-      return;
-    }
     const auto o = m_surface.patch_origin(patch);
     const double u0 = CGAL::to_double(o.u0), v0 = CGAL::to_double(o.v0);
     const double du = CGAL::to_double(o.u1) - u0, dv = CGAL::to_double(o.v1) - v0;

@@ -334,7 +334,10 @@ private:
     const size_type first = m_samples.first_error_sample(patch);
     std::vector<Eigen::Vector3d> points;
     m_patches.update(patch);
-    m_patches.points(patch, 2 * grid.u, 2 * grid.v, points);
+    if(m_surface.is_extraordinary_patch(patch))
+      combine_control_points(patch, points);
+    else
+      m_patches.points(patch, 2 * grid.u, 2 * grid.v, points);
     for(size_type i = first; i < m_samples.first_error_sample(patch + 1); ++i)
     {
       m_points[i] = points[i - first];
@@ -343,6 +346,17 @@ private:
       m_distances[i] = m_is_parametric ? parametric : (std::min)(parametric, m_distances[i]);
       m_is_bound[i] = !m_is_parametric;
     }
+  }
+
+  // computes the points of a patch with an extraordinary point at the error samples
+  void combine_control_points(size_type patch, std::vector<Eigen::Vector3d>& points) const
+  {
+    const std::vector<double>& values = m_samples.error_values(patch);
+    const size_type n = m_samples.number_of_functions(patch);
+    points.assign(values.size() / n, Eigen::Vector3d::Zero());
+    for(size_type k = 0; k < points.size(); ++k)
+      for(size_type i = 0; i < n; ++i)
+        points[k] += values[k * n + i] * m_control_points[m_samples.function(patch, i)];
   }
 
   // adds what the patch of a sample or a vertex has moved
