@@ -389,7 +389,7 @@ private:
     Patch_stencils result;
     if(!m_surface.is_extraordinary_patch(patch))
     {
-      result.values = grid_values(patch, g.u, g.v, result.functions);
+      m_surface.basis_on_grid(patch, g.u, g.v, result.functions, result.values);
       return result;
     }
     result.error_values = grid_values(patch, 2 * g.u, 2 * g.v, result.functions);
@@ -403,8 +403,8 @@ private:
     return result;
   }
 
-  // Returns the values of the functions of a patch on a uniform grid, row by row; `functions`
-  // become the control points that act on the patch.
+  // Returns the values of the functions of a patch on a uniform grid, see
+  // `Surface::basis_on_grid()`.
   std::vector<double> grid_values(size_type patch, size_type nu, size_type nv,
                                   std::vector<size_type>& functions) const
   {
