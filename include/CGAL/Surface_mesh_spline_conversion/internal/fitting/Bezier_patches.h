@@ -91,7 +91,7 @@ public:
   // \pre the patch has a Bezier form
   void points(size_type patch, size_type nu, size_type nv, std::vector<Eigen::Vector3d>& out) const
   {
-    out.clear();
+    out.resize((nu + 1) * (nv + 1));
     const auto o = m_surface.patch_origin(patch);
     const double u0 = CGAL::to_double(o.u0), v0 = CGAL::to_double(o.v0);
     const double du = CGAL::to_double(o.u1) - u0, dv = CGAL::to_double(o.v1) - v0;
@@ -107,7 +107,7 @@ public:
         if(&e != last)
           along_u = curve(e, bernstein(e.t(v), 0));
         last = &e;
-        out.push_back(combination(bernstein(e.s(u), 0), along_u));
+        out[j * (nu + 1) + i] = combination(bernstein(e.s(u), 0), along_u);
       }
     }
   }
