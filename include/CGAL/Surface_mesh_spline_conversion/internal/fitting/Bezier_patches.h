@@ -77,16 +77,6 @@ public:
   // takes over all patches of another surface with the same functions
   void assign(const Bezier_patches& other) { m_elements = other.m_elements; }
 
-  // returns the point `(u,v)` of a patch
-  Eigen::Vector3d point(size_type patch, const FT& u, const FT& v) const
-  {
-    if(m_elements[patch].empty())
-      return to_eigen(m_surface.position(patch, u, v));
-    const double x = CGAL::to_double(u), y = CGAL::to_double(v);
-    const Element& e = element_at(patch, x, y);
-    return combination(bernstein(e.s(x), 0), curve(e, bernstein(e.t(y), 0)));
-  }
-
   // computes the points of a patch on a uniform grid, see `Surface::positions()`
   // \pre the patch has a Bezier form
   void points(size_type patch, size_type nu, size_type nv, std::vector<Eigen::Vector3d>& out) const
@@ -112,6 +102,7 @@ public:
     }
   }
 
+  // evaluates a patch at `(u,v)`
   Point_and_tangents point_and_tangents(size_type patch, const FT& u, const FT& v) const
   {
     if(m_elements[patch].empty())
