@@ -172,10 +172,7 @@ private:
       values.row(k) = std::sqrt(m_samples.weight(patch, size_type(k)))
                       * Eigen::Map<const Eigen::RowVectorXd>(
                           m_samples.values(patch, size_type(k)), n);
-    Eigen::MatrixXd result(n, n);
-    for(Eigen::Index i = 0; i < n; ++i) // half of the products; blocks of Eigen are for larger ones
-      for(Eigen::Index j = 0; j <= i; ++j)
-        result(i, j) = result(j, i) = values.col(i).dot(values.col(j));
+    Eigen::MatrixXd result = values.transpose() * values;
     if(m_energy != nullptr)
     {
       const Eigen::MatrixXd& derivatives = m_energy->derivatives(patch);
@@ -296,10 +293,10 @@ private:
     for(size_type k = 0; k < m_samples.grid(patch).number_of_fit_samples(); ++k)
     {
       const Eigen::Map<const Eigen::VectorXd> values(m_samples.values(patch, k), n);
-      const double weight = m_samples.weight(patch, k);
-      const Eigen::Vector3d& target = m_samples.fit_target(patch, k);
-      for(Eigen::Index d = 0; d < 3; ++d)
-        result.col(d) += weight * (target[d] - values.dot(points.col(d))) * values;
+      const Eigen::RowVector3d difference
+        = m_samples.weight(patch, k)
+          * (m_samples.fit_target(patch, k).transpose() - values.transpose() * points);
+      result.noalias() += values * difference;
     }
     if(m_energy != nullptr)
     {
