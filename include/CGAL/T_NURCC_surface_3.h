@@ -311,6 +311,13 @@ public:
     { out.push_back(Basis_function{i, value}); });
   }
 
+  /// computes the basis functions of a patch on a uniform grid, see `positions()`: with the `n`
+  /// control points of its functions, number `k*n+i` of `values` is the value at point `k` of the
+  /// function of `control_points[i]`.
+  /// \pre `!is_extraordinary_patch(patch)`
+  void basis_on_grid(size_type patch, size_type nu, size_type nv,
+                     std::vector<size_type>& control_points, std::vector<double>& values) const;
+
   /// @}
   /// \name Boundary
   /// @{
@@ -432,6 +439,10 @@ private:
   typedef Surface_mesh_spline_conversion::internal::Extraordinary_face Extraordinary_face;
   typedef Surface_mesh_spline_conversion::internal::Stencil_matrix Stencil_matrix;
 
+  // points of a grid with the values of functions there
+  typedef Surface_mesh_spline_conversion::internal::Row Row;
+  typedef std::vector<std::pair<size_type, Row> > Grid_rows;
+
   // in coordinates of a patch: the origin is its corner (u0, v0)
   struct Rectangle
   {
@@ -447,6 +458,7 @@ private:
   Bezier_element regular_element(size_type i, const Regular_element& e) const;
   void add_positions(const Patch& patch, const Regular_element& e, size_type nu, size_type nv,
                      std::vector<Point_3>& out) const;
+  static Grid_rows bernstein_on_grid(double size, size_type n, double begin, double end);
   void add_functions(const Regular_element& e, const Rectangle& r,
                      std::array<Vector_3, 16>& points) const;
   Point_3 stencil_point(const Extraordinary_face& face,

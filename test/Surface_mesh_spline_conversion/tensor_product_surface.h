@@ -101,6 +101,9 @@ public:
   // no Bezier form: patches are evaluated one point after the other
   bool is_extraordinary_patch(size_type) const { return true; }
   std::vector<Bezier_element> patch_elements(size_type) const { return {}; }
+  void basis_on_grid(size_type, size_type, size_type, std::vector<size_type>&,
+                     std::vector<double>&) const
+  {}
 
   Vector derivative(size_type p, double x, double y, int i, int j) const
   {

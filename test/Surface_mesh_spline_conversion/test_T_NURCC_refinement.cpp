@@ -4,6 +4,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/Bezier_patches.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/fitting/Interior_samples.h>
 #include <CGAL/T_NURCC_surface_3.h>
 
 #include "T_NURCC_test_layouts.h"
@@ -11,6 +12,7 @@
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <iostream>
@@ -122,18 +124,71 @@ void check_bezier_patches(const Surface<K>& surface)
   {
     patches.update(i);
     std::vector<Eigen::Vector3d> points;
-    patches.points(i, 4, 2, points);
+    if(!surface.is_extraordinary_patch(i))
+      patches.points(i, 4, 2, points);
     const auto r = surface.patch_origin(i);
     for(std::size_t k = 0; k < 15; ++k)
     {
       const double u = r.u0 + (r.u1 - r.u0) * double(k % 5) / 4;
       const double v = r.v0 + (r.v1 - r.v0) * double(k / 5) / 2;
       const Eigen::Vector3d p = internal::to_eigen(surface.position(i, u, v));
-      assert((points[k] - p).norm() < 1e-12 && (patches.point(i, u, v) - p).norm() < 1e-12);
+      assert(points.empty() || (points[k] - p).norm() < 1e-12);
       const auto q = patches.point_and_tangents(i, u, v);
       assert((q.point - p).norm() < 1e-12);
       assert((q.u - internal::to_eigen(surface.derivative(i, u, v, 1, 0))).norm() < 1e-10);
       assert((q.v - internal::to_eigen(surface.derivative(i, u, v, 0, 1))).norm() < 1e-10);
+    }
+  }
+}
+
+// a target that is no part of what is tested
+template <typename K>
+struct Flat_target
+{
+  typedef typename K::FT FT;
+  typedef typename K::Point_3 Point_3;
+
+  const Layout<K>& quads;
+
+  const Layout<K>& layout() const { return quads; }
+  std::size_t number_of_mesh_faces() const { return 0; }
+  std::array<std::size_t, 3> mesh_face(std::size_t) const { return {{0, 0, 0}}; }
+  Point_3 mesh_vertex(std::size_t) const { return Point_3(0, 0, 0); }
+
+  Point_3 point(std::size_t, double u, double v, std::size_t& face) const
+  {
+    face = 0;
+    return Point_3(u, v, 0);
+  }
+};
+
+// the values of the functions at the samples of a fit give the points of the surface
+template <typename K>
+void check_samples(const Surface<K>& surface, const Layout<K>& layout)
+{
+  namespace internal = CGAL::Surface_mesh_spline_conversion::internal;
+  const Flat_target<K> target{layout};
+  const internal::Interior_samples<Surface<K>, Flat_target<K> > samples(surface, target, nullptr);
+  const auto error = [&](std::size_t i, const Eigen::Vector3d& p)
+  {
+    const auto at = samples.error_place(i);
+    return (internal::to_eigen(surface.position(at.patch, at.u, at.v)) - p).norm();
+  };
+  for(std::size_t p = 0; p < surface.number_of_patches(); ++p)
+  {
+    for(std::size_t k = 0; k < samples.grid(p).number_of_fit_samples(); ++k)
+      assert(error(samples.error_sample(p, k), samples.surface_point(p, k)) < 1e-12);
+    const std::vector<double>& values = samples.error_values(p);
+    const std::size_t n = samples.number_of_functions(p), number = values.size() / n;
+    assert(number == (surface.is_extraordinary_patch(p) ? samples.grid(p).number_of_error_samples()
+                                                        : 0));
+    for(std::size_t k = 0; k < number; ++k)
+    {
+      Eigen::Vector3d sum(0, 0, 0);
+      for(std::size_t i = 0; i < n; ++i)
+        sum += values[k * n + i]
+               * internal::to_eigen(surface.control_point(samples.function(p, i)));
+      assert(error(samples.first_error_sample(p) + k, sum) < 1e-12);
     }
   }
 }
@@ -331,6 +386,7 @@ void test_boundary_refinement(Layout<K> layout, double share_of_corners, unsigne
   check_bezier_elements(surface);
   check_grids(surface);
   check_bezier_patches(surface);
+  check_samples(surface, layout);
   check_boundary(surface, layout);
   check_extraordinary_rings(surface);
   std::cout << layout.number_of_quads() << " quads -> " << surface.number_of_patches()

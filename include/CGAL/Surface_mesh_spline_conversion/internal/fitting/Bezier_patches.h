@@ -77,28 +77,11 @@ public:
   // takes over all patches of another surface with the same functions
   void assign(const Bezier_patches& other) { m_elements = other.m_elements; }
 
-  // returns the point `(u,v)` of a patch
-  Eigen::Vector3d point(size_type patch, const FT& u, const FT& v) const
-  {
-    if(m_elements[patch].empty())
-      return to_eigen(m_surface.position(patch, u, v));
-    const double x = CGAL::to_double(u), y = CGAL::to_double(v);
-    const Element& e = element_at(patch, x, y);
-    return combination(bernstein(e.s(x), 0), curve(e, bernstein(e.t(y), 0)));
-  }
-
   // computes the points of a patch on a uniform grid, see `Surface::positions()`
+  // \pre the patch has a Bezier form
   void points(size_type patch, size_type nu, size_type nv, std::vector<Eigen::Vector3d>& out) const
   {
-    out.clear();
-    if(m_elements[patch].empty())
-    {
-      std::vector<typename Surface::Point_3> points;
-      m_surface.positions(patch, nu, nv, points);
-      for(const auto& p : points)
-        out.push_back(to_eigen(p));
-      return;
-    }
+    out.resize((nu + 1) * (nv + 1));
     const auto o = m_surface.patch_origin(patch);
     const double u0 = CGAL::to_double(o.u0), v0 = CGAL::to_double(o.v0);
     const double du = CGAL::to_double(o.u1) - u0, dv = CGAL::to_double(o.v1) - v0;
@@ -114,11 +97,12 @@ public:
         if(&e != last)
           along_u = curve(e, bernstein(e.t(v), 0));
         last = &e;
-        out.push_back(combination(bernstein(e.s(u), 0), along_u));
+        out[j * (nu + 1) + i] = combination(bernstein(e.s(u), 0), along_u);
       }
     }
   }
 
+  // evaluates a patch at `(u,v)`
   Point_and_tangents point_and_tangents(size_type patch, const FT& u, const FT& v) const
   {
     if(m_elements[patch].empty())

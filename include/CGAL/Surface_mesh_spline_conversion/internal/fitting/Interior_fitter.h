@@ -152,8 +152,8 @@ private:
   };
 
   // Accuracy of the solutions relative to the error at the start, which is that of the surface
-  // before the first fit, and the effect of the new targets for the others. Ten iterations of
-  // conjugate gradients gain about four digits.
+  // before the first fit, and the effect of a refinement or of new targets for the others. Ten
+  // iterations of conjugate gradients gain about four digits.
   static constexpr double first_accuracy = 1e-9;
   static constexpr double next_accuracy = 1e-5;
 
@@ -219,6 +219,7 @@ private:
     const std::vector<typename Surface::Patch_origin> patches = merge_pairs(m_surface);
     m_surface = Surface(m_target.layout());
     m_surface.refine_to(patches);
+    m_is_fitted = false;
     m_tangency_refinements = 0;
     ++m_iteration;
     const Error_code code = fit_boundary();
@@ -234,6 +235,7 @@ private:
   void restore(State&& state)
   {
     m_surface = std::move(state.surface);
+    m_is_fitted = true;
     m_samples = std::move(state.samples);
     m_error = std::move(state.error);
     m_largest = state.largest;
@@ -271,6 +273,12 @@ private:
       case Error_metric::HAUSDORFF: return 3;
     }
     return 0;
+  }
+
+  // A solution that only leads to other targets need not be better than that for these.
+  double accuracy_of_first_solution() const
+  {
+    return m_is_fitted && number_of_reprojections() > 0 ? next_accuracy : first_accuracy;
   }
 
   // fits the surface at the present refinement level, and measures its error
@@ -315,7 +323,7 @@ private:
     // in a part of the surface, patches that have not been split keep their targets
     if(region.is_whole())
       samples.reset_fit_targets();
-    bool is_solved = system.fit(m_surface, first_accuracy);
+    bool is_solved = system.fit(m_surface, accuracy_of_first_solution());
     for(size_type i = 0; is_solved && i < number_of_reprojections(); ++i)
     {
       if(!m_visitor.go_further())
@@ -325,6 +333,7 @@ private:
     }
     if(!is_solved)
       return fail(Error_code::SINGULAR_SYSTEM, "the control points could not be determined");
+    m_is_fitted = true;
     smoother(system);
     for(const std::vector<size_type>& group : smoother.patches_of_lines())
       for(size_type p : group)
@@ -389,6 +398,7 @@ private:
   std::unique_ptr<Fairing> m_fairing; // of the last fit
   Largest_error m_largest;
   Error_code m_boundary_code = Error_code::OK; // of the last fit of the boundary
+  bool m_is_fitted = false; // does the surface come from a fit, maybe refined?
   size_type m_iteration = 0;
   std::vector<Patch_split> m_tangency_splits; // of patches that are not tangent
   int m_tangency_refinements = 0;

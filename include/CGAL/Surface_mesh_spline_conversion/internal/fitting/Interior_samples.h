@@ -39,7 +39,8 @@ namespace internal {
 // enough.
 //
 // The surface is linear in its control points: per patch we keep the control points that act on
-// it and, per fit sample, their weights.
+// it and, per fit sample, their weights. Patches with an extraordinary point, which have no Bezier
+// form, keep the weights at the error samples, too.
 template <typename Surface, typename Target>
 class Interior_samples
 {
@@ -140,6 +141,13 @@ public:
     return result;
   }
 
+  // returns the values of the functions of a patch with an extraordinary point at all its error
+  // samples, one row after the other
+  const std::vector<double>& error_values(size_type patch) const
+  {
+    return m_stencils[patch]->error_values;
+  }
+
   // multiplies the weights of a patch
   void increase_weight(size_type patch, double factor) { m_factors[patch] *= factor; }
 
@@ -226,11 +234,11 @@ private:
 
   typedef std::vector<typename Surface::Basis_function> Stencil; // the functions at a sample
 
-  // the control points that act on a patch, and their weights at the samples
+  // the control points that act on a patch, and their weights at the fit and the error samples
   struct Patch_stencils
   {
     std::vector<size_type> functions;
-    std::vector<double> values;
+    std::vector<double> values, error_values;
   };
 
   static constexpr size_type coarse_grid = 2, fine_grid = 4;
@@ -378,21 +386,46 @@ private:
   Patch_stencils patch_stencils(size_type patch) const
   {
     const Grid& g = m_grids[patch];
-    const size_type samples = g.number_of_fit_samples();
-    std::vector<Stencil> stencils(samples);
     Patch_stencils result;
+    if(!m_surface.is_extraordinary_patch(patch))
+    {
+      m_surface.basis_on_grid(patch, g.u, g.v, result.functions, result.values);
+      return result;
+    }
+    result.error_values = grid_values(patch, 2 * g.u, 2 * g.v, result.functions);
+    const std::ptrdiff_t n = std::ptrdiff_t(result.functions.size());
+    for(size_type k = 0; k < g.number_of_fit_samples(); ++k)
+    {
+      const auto first = result.error_values.begin()
+                         + n * std::ptrdiff_t(error_sample(patch, k) - m_first_error_sample[patch]);
+      result.values.insert(result.values.end(), first, first + n);
+    }
+    return result;
+  }
+
+  // Returns the values of the functions of a patch on a uniform grid, see
+  // `Surface::basis_on_grid()`.
+  std::vector<double> grid_values(size_type patch, size_type nu, size_type nv,
+                                  std::vector<size_type>& functions) const
+  {
+    constexpr size_type usual_number = 16; // of functions
+    const size_type samples = (nu + 1) * (nv + 1);
+    Stencil stencil, stencils; // of a sample, and of all
+    std::vector<size_type> ends;
+    stencils.reserve(usual_number * samples);
     for(size_type k = 0; k < samples; ++k)
     {
-      const Place at = place(patch, FT(double(k % (g.u + 1)) / double(g.u)),
-                             FT(double(k / (g.u + 1)) / double(g.v)), m_origins[patch]);
-      m_surface.basis(patch, at.u, at.v, 0, stencils[k]);
-      number_functions(stencils[k], result.functions);
+      const Place at = place(patch, FT(double(k % (nu + 1)) / double(nu)),
+                             FT(double(k / (nu + 1)) / double(nv)), m_origins[patch]);
+      m_surface.basis(patch, at.u, at.v, 0, stencil);
+      number_functions(stencil, functions);
+      stencils.insert(stencils.end(), stencil.begin(), stencil.end());
+      ends.push_back(stencils.size());
     }
-    const size_type n = result.functions.size();
-    result.values.resize(n * samples, 0);
-    for(size_type k = 0; k < samples; ++k)
-      for(const auto& b : stencils[k])
-        result.values[k * n + b.control_point] += b.value[0];
+    std::vector<double> result(functions.size() * samples, 0);
+    for(size_type k = 0, i = 0; k < samples; ++k)
+      for(; i < ends[k]; ++i)
+        result[k * functions.size() + stencils[i].control_point] += stencils[i].value[0];
     return result;
   }
 

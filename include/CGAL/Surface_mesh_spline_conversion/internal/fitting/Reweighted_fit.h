@@ -116,13 +116,12 @@ private:
   {
     std::vector<size_type> result;
     for(size_type p = 0; p < m_samples.number_of_patches(); ++p)
-    {
-      bool is_free = false;
       for(size_type i = 0; i < m_samples.number_of_functions(p); ++i)
-        is_free = is_free || !is_fixed[m_samples.function(p, i)];
-      if(is_free)
-        result.push_back(p);
-    }
+        if(!is_fixed[m_samples.function(p, i)])
+        {
+          result.push_back(p);
+          break;
+        }
     return result;
   }
 

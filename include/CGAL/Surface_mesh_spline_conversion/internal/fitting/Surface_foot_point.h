@@ -28,22 +28,23 @@ template <typename Surface, typename Layout, typename Place>
 class Surface_foot_point
 {
   typedef decltype(Place::u) FT;
+  typedef typename Bezier_patches<Surface>::Point_and_tangents Point_and_tangents;
 
 public:
   Surface_foot_point(const Bezier_patches<Surface>& patches, const Layout& layout,
                      const Eigen::Vector3d& query, const Place& place)
     : m_patches(patches), m_surface(patches.surface()), m_layout(layout), m_query(query),
-      m_place(place), m_point(point(place))
+      m_place(place), m_at_place(evaluate(place))
   {}
 
   const Eigen::Vector3d& operator()()
   {
     constexpr int maximum_number_of_steps = 6;
-    if(!improve(m_place) && !improve(inside(m_place)))
-      return m_point;
-    for(int step = 1; step < maximum_number_of_steps && improve(m_place); ++step)
+    if(!improve(m_place, m_at_place) && !improve_from_inside())
+      return m_at_place.point;
+    for(int step = 1; step < maximum_number_of_steps && improve(m_place, m_at_place); ++step)
       continue;
-    return m_point;
+    return m_at_place.point;
   }
 
   // returns where the point found lies
@@ -53,28 +54,28 @@ private:
   // steps that gain less than this share of the distance are not worth while
   static constexpr double smallest_gain = 1e-3;
 
-  Eigen::Vector3d point(const Place& p) const
+  Point_and_tangents evaluate(const Place& p) const
   {
-    return m_patches.point(p.patch, p.u, p.v);
+    return m_patches.point_and_tangents(p.patch, p.u, p.v);
   }
 
   // At an extraordinary point the parametrization has no regular derivative; a place a little
   // inside of its patch has.
-  Place inside(Place p) const
+  bool improve_from_inside()
   {
     constexpr double share = 1. / 16;
+    Place p = m_place;
     const auto o = m_surface.patch_origin(p.patch);
     p.u += FT(share) * ((o.u0 + o.u1) / FT(2) - p.u);
     p.v += FT(share) * ((o.v0 + o.v1) / FT(2) - p.v);
-    return p;
+    return improve(p, evaluate(p));
   }
 
   // A step from `start`; halved twice if it does not decrease the distance. Returns `false` if
   // another step would gain little.
-  bool improve(const Place& start)
+  bool improve(const Place& start, const Point_and_tangents& at_start)
   {
     constexpr double largest_step = 0.25; // in quads
-    const auto at_start = m_patches.point_and_tangents(start.patch, start.u, start.v);
     const Eigen::Vector3d difference = m_query - at_start.point;
     Eigen::Matrix<double, 3, 2> tangents;
     tangents << at_start.u, at_start.v;
@@ -97,11 +98,12 @@ private:
     const Quad_point<FT> q = cross_sides(
       m_layout, Quad_point<FT>{start.quad, start.u + FT(step[0]), start.v + FT(step[1])});
     const Place next{m_surface.patch_at(q.quad, q.u, q.v), q.quad, q.u, q.v};
-    const Eigen::Vector3d p = point(next);
-    const double before = (m_point - m_query).norm(), after = (p - m_query).norm();
+    const Point_and_tangents at_next = evaluate(next);
+    const double before = (m_at_place.point - m_query).norm();
+    const double after = (at_next.point - m_query).norm();
     if(!(after < before))
       return false;
-    m_point = p;
+    m_at_place = at_next;
     m_place = next;
     return after < (1 - smallest_gain) * before;
   }
@@ -111,7 +113,7 @@ private:
   const Layout& m_layout;
   const Eigen::Vector3d& m_query;
   Place m_place;
-  Eigen::Vector3d m_point;
+  Point_and_tangents m_at_place;
 };
 
 } // namespace internal

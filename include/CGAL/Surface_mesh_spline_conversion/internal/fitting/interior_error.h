@@ -11,11 +11,12 @@
 
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
-#include <CGAL/Surface_mesh_spline_conversion/internal/Point_index.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/Bezier_patches.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/Interior_samples.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/fitting/Nearest_sample.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/Split_directions.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/Surface_foot_point.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/fitting/Vertex_samples.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/for_each_index.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/to_eigen.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/patches/quad_sides.h>
@@ -206,7 +207,6 @@ public:
 private:
   typedef Surface_foot_point<Surface, typename Target::Layout, typename Samples::Place> Foot_point;
 
-  static constexpr size_type none = static_cast<size_type>(-1);
   static constexpr double unbounded = (std::numeric_limits<double>::max)(); // a distance
 
   typename Samples::Place place(size_type i) const
@@ -264,11 +264,11 @@ private:
     std::vector<typename Samples::Place> result;
     if(points.empty())
       return result;
-    const Point_index index(m_points);
+    const Nearest_sample<Samples> nearest(m_samples, m_points);
     for(const Point_3& point : points)
     {
       const Eigen::Vector3d p = to_eigen(point); // kept by the search
-      Foot_point foot(m_patches, m_target.layout(), p, place(index.nearest(p, 1).front()));
+      Foot_point foot(m_patches, m_target.layout(), p, place(nearest(p)));
       foot();
       result.push_back(foot.place());
     }
@@ -334,7 +334,10 @@ private:
     const size_type first = m_samples.first_error_sample(patch);
     std::vector<Eigen::Vector3d> points;
     m_patches.update(patch);
-    m_patches.points(patch, 2 * grid.u, 2 * grid.v, points);
+    if(m_surface.is_extraordinary_patch(patch))
+      combine_control_points(patch, points);
+    else
+      m_patches.points(patch, 2 * grid.u, 2 * grid.v, points);
     for(size_type i = first; i < m_samples.first_error_sample(patch + 1); ++i)
     {
       m_points[i] = points[i - first];
@@ -343,6 +346,17 @@ private:
       m_distances[i] = m_is_parametric ? parametric : (std::min)(parametric, m_distances[i]);
       m_is_bound[i] = !m_is_parametric;
     }
+  }
+
+  // computes the points of a patch with an extraordinary point at the error samples
+  void combine_control_points(size_type patch, std::vector<Eigen::Vector3d>& points) const
+  {
+    const std::vector<double>& values = m_samples.error_values(patch);
+    const size_type n = m_samples.number_of_functions(patch);
+    points.assign(values.size() / n, Eigen::Vector3d::Zero());
+    for(size_type k = 0; k < points.size(); ++k)
+      for(size_type i = 0; i < n; ++i)
+        points[k] += values[k * n + i] * m_control_points[m_samples.function(patch, i)];
   }
 
   // adds what the patch of a sample or a vertex has moved
@@ -408,7 +422,8 @@ private:
   // appends the vertices of the mesh to the samples
   void add_vertices(const Interior_error* previous)
   {
-    m_nearest = nearest_samples();
+    const Vertex_samples<Samples, Target> nearest(m_samples, m_target);
+    m_nearest = previous == nullptr ? nearest() : nearest(previous->m_samples, previous->m_nearest);
     const size_type n = m_points.size();
     m_distances.resize(n + m_nearest.size(), 0);
     m_is_bound.resize(n + m_nearest.size(), false);
@@ -427,7 +442,7 @@ private:
       }
   }
 
-  bool is_measured(size_type v) const { return m_nearest[v] != none; }
+  bool is_measured(size_type v) const { return m_nearest[v] != Samples::none; }
 
   void bound_vertex(size_type v, const Interior_error* previous)
   {
@@ -445,37 +460,6 @@ private:
   size_type first_vertex(size_type patch) const
   {
     return m_is_parametric ? 0 : m_first_vertices[patch];
-  }
-
-  // returns, for each vertex of the mesh, the sample nearest to it in the faces around it, unless the
-  // target differs from the mesh there
-  std::vector<size_type> nearest_samples() const
-  {
-    std::vector<size_type> result(m_target.number_of_mesh_vertices(), none);
-    std::vector<double> distances(result.size(), 0);
-    for(size_type i = 0; i < m_points.size(); ++i)
-    {
-      const size_type face = m_samples.mesh_face(i);
-      if(face == m_target.number_of_mesh_faces())
-        continue;
-      for(size_type v : m_target.mesh_face(face))
-      {
-        const double d = (to_eigen(m_target.mesh_vertex(v)) - target_point(i)).squaredNorm();
-        if(result[v] != none && d >= distances[v])
-          continue;
-        result[v] = i;
-        distances[v] = d;
-      }
-    }
-    for_each_index(result.size(), [&](size_type v)
-    {
-      if(result[v] == none)
-        return;
-      const typename Samples::Place at = place(result[v]);
-      if(!m_target.is_on_mesh(at.quad, at.u, at.v))
-        result[v] = none;
-    });
-    return result;
   }
 
   const Surface& m_surface;

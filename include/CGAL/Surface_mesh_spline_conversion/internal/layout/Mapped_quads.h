@@ -44,7 +44,10 @@ public:
     const Boundary_positions positions(igm.map);
     const char* failure = igm.is_resolved ? build_from_cells(igm, positions)
                                           : build_from_rectangles(igm, positions);
-    return *failure ? failure : Quad_grid_check(igm.map, positions, m_quads).run();
+    if(*failure)
+      return failure;
+    m_locator.make_cells();
+    return Quad_grid_check(igm.map, positions, m_quads).run();
   }
 
   // Moves the corners of badly shaped quads and their neighbours, where this makes them better.

@@ -11,12 +11,16 @@
 
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
+#include <CGAL/Surface_mesh_spline_conversion/internal/patches/Planar_triangle.h>
+
 #include <CGAL/Polygon_mesh_processing/locate.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_utils.h>
 #include <CGAL/squared_distance_3.h>
+
+#include <boost/container/small_vector.hpp>
 
 #include <algorithm>
 #include <array>
@@ -60,6 +64,7 @@ public:
     for(auto f : faces(tm))
       put(positions, f, number_of_faces++);
     m_triangles.reserve(number_of_faces);
+    m_planar_triangles.reserve(number_of_faces);
     for(auto f : faces(tm))
     {
       std::array<std::size_t, 3> corners, neighbors;
@@ -75,6 +80,8 @@ public:
       m_neighbors.push_back(neighbors);
       m_triangles.emplace_back(m_vertices[corners[0]], m_vertices[corners[1]],
                                m_vertices[corners[2]]);
+      m_planar_triangles.emplace_back(std::array<Point_3, 3>{{m_vertices[corners[0]],
+        m_vertices[corners[1]], m_vertices[corners[2]]}});
       for(i = 0; i < 3; ++i)
         m_mean_edge_length += std::sqrt(CGAL::squared_distance(
           m_vertices[corners[i]], m_vertices[corners[(i + 1) % 3]])) / double(3 * number_of_faces);
@@ -87,11 +94,14 @@ public:
   Foot near_foot(const Point_3& query, std::size_t start) const
   {
     constexpr double rounding = 1 + 1e-12; // faces that meet at the point are at the same distance
+    constexpr std::size_t usual_length = 16; // of a way, which then needs no memory of its own
     Foot result{closest_point(start, query), start};
     double smallest = (std::numeric_limits<double>::infinity)();
-    std::vector<std::size_t> way;
+    boost::container::small_vector<std::size_t, usual_length> way;
     const auto visit = [&](std::size_t face)
     {
+      if(m_planar_triangles[face].squared_distance_of_plane(query) > rounding * smallest)
+        return;
       const Point_3 p = closest_point(face, query);
       const double distance = CGAL::squared_distance(query, p);
       if(distance > rounding * smallest)
@@ -127,7 +137,7 @@ public:
   // returns the point of a face that is closest to `p`
   Point_3 closest_point(std::size_t face, const Point_3& p) const
   {
-    return Kernel().construct_projected_point_3_object()(m_triangles[face], p);
+    return m_planar_triangles[face].closest_point(p);
   }
 
   std::size_t number_of_faces() const { return m_triangles.size(); }
@@ -154,6 +164,7 @@ private:
   std::vector<std::array<std::size_t, 3> > m_corners; // of the faces
   std::vector<std::array<std::size_t, 3> > m_neighbors;
   std::vector<Kernel::Triangle_3> m_triangles;
+  std::vector<Planar_triangle> m_planar_triangles;
   double m_mean_edge_length = 0;
 };
 

@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace CGAL {
@@ -71,12 +72,15 @@ class Bezier_extraction
   typedef Face_search<Point> Search;
   typedef typename Search::Placement Placement;
 
+  static constexpr int bits_of_rows = 10;
+
 public:
   std::vector<Element_function> functions;
   std::vector<Regular_element> elements;
   std::vector<std::size_t> first_element; // of a face, one more than there are faces
 
-  explicit Bezier_extraction(const Mesh& mesh) : m_mesh(mesh), m_search(mesh)
+  explicit Bezier_extraction(const Mesh& mesh)
+    : m_mesh(mesh), m_search(mesh), m_rows(1 << bits_of_rows)
   {
     const std::size_t faces = mesh.mesh().num_faces();
     m_functions_of_face.resize(faces);
@@ -193,30 +197,32 @@ private:
     return result;
   }
 
-  // one factor of a function on a span, which several functions of a face have in common
+  // one factor of a function on a span
   struct Span_row
   {
     Knots knots;
-    std::int64_t begin;
+    std::int64_t begin = 0, end = 0; // an empty span is none
     Row row;
   };
 
-  static const Row& row(std::vector<Span_row>& rows, const Knots& knots, std::int64_t begin,
-                        std::int64_t end)
+  // Most factors occur again and again, since most knots are uniform. The last one of those with the
+  // same hash value is kept.
+  const Row& row(const Knots& knots, std::int64_t begin, std::int64_t end)
   {
-    for(const Span_row& r : rows)
-      if(r.begin == begin && r.knots == knots)
-        return r.row;
-    rows.push_back(Span_row{knots, begin,
-                            bezier_row(local_knots(knots), parameter(begin), parameter(end))});
-    return rows.back().row;
+    constexpr std::uint64_t multiplier = 0x9e3779b97f4a7c15; // 2^64 divided by the golden ratio
+    std::uint64_t hash = std::uint64_t(begin);
+    for(std::int64_t x : knots)
+      hash = multiplier * (hash ^ (hash >> 32)) + std::uint64_t(x);
+    Span_row& result = m_rows[(multiplier * hash) >> (64 - bits_of_rows)];
+    if(result.begin != begin || result.end != end || result.knots != knots)
+      result = Span_row{knots, begin, end,
+                        bezier_row(local_knots(knots), parameter(begin), parameter(end))};
+    return result.row;
   }
 
   void extract(Face f)
   {
     const std::vector<std::int64_t> u = cuts(f, 0), v = cuts(f, 1);
-    m_rows[0].clear();
-    m_rows[1].clear();
     for(std::size_t j = 0; j + 1 < v.size(); ++j)
       for(std::size_t i = 0; i + 1 < u.size(); ++i)
       {
@@ -229,9 +235,13 @@ private:
         for(const Face_function& function : m_functions_of_face[f])
           if(is_active(function.knots[0], u[i], u[i + 1])
              && is_active(function.knots[1], v[j], v[j + 1]))
-            functions.push_back(Element_function{function.vertex,
-              row(m_rows[0], function.knots[0], u[i], u[i + 1]),
-              row(m_rows[1], function.knots[1], v[j], v[j + 1])});
+          {
+            Element_function result;
+            result.control_point = function.vertex;
+            result.u = row(function.knots[0], u[i], u[i + 1]);
+            result.v = row(function.knots[1], v[j], v[j + 1]);
+            functions.push_back(result);
+          }
         element.last = functions.size();
         elements.push_back(element);
       }
@@ -260,7 +270,7 @@ private:
   Search m_search;
   std::vector<std::vector<Face_function> > m_functions_of_face;
   std::vector<std::vector<Vertex> > m_excluded; // by face
-  std::array<std::vector<Span_row>, 2> m_rows;   // of the face that is extracted
+  std::vector<Span_row> m_rows; // see row()
 };
 
 } // namespace internal

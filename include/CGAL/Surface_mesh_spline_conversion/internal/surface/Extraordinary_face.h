@@ -182,7 +182,7 @@ public:
     result.setZero(6, static_cast<Eigen::Index>(control_points.size()));
     const int rows = order == 0 ? 1 : (order == 1 ? 3 : 6);
     if(!place.is_extraordinary_point)
-      result.topRows(rows) = evaluate_piece(quarter, place, order).topRows(rows);
+      evaluate_piece(quarter, place, order, result.topRows(rows));
     else
       result.row(0) = quarter.table->limit().row(0) * quarter.net;
     if(order > 0 && place.level > 0
@@ -193,8 +193,9 @@ public:
       if(order > 1)
       {
         const double x = distance_of_second_derivatives;
-        result.bottomRows(3)
-          = evaluate_piece(quarter, locate(corner, x, x), order).bottomRows(3);
+        Stencil_matrix values(6, result.cols());
+        evaluate_piece(quarter, locate(corner, x, x), order, values);
+        result.bottomRows(3) = values.bottomRows(3);
       }
     }
     rotate_derivatives(corner, result);
@@ -204,17 +205,19 @@ private:
   // the second derivatives have no limit at an extraordinary point; this distance is a compromise
   static constexpr double distance_of_second_derivatives = 1. / 64;
 
-  static Basis_matrix evaluate_piece(const Face_quarter& quarter, const Place& place, int order)
+  // The matrices are too small for the blocked products of Eigen.
+  static void evaluate_piece(const Face_quarter& quarter, const Place& place, int order,
+                             Eigen::Ref<Stencil_matrix> result)
   {
-    const int rows = order == 0 ? 1 : (order == 1 ? 3 : 6);
     const auto b = bernstein_rows(place, order);
-    Basis_matrix result = Basis_matrix::Zero(6, quarter.net.cols());
     if(place.level == 0)
-      result.topRows(rows) = b.topRows(rows) * quarter.bezier;
+      result = b.topRows(result.rows()).lazyProduct(quarter.bezier);
     else
-      result.topRows(rows)
-        = (b.topRows(rows) * quarter.table->piece(place.level, place.piece)) * quarter.net;
-    return result;
+    {
+      const Stencil_matrix values = b.topRows(result.rows()).lazyProduct(
+        quarter.table->piece(place.level, place.piece));
+      result = values.lazyProduct(quarter.net);
+    }
   }
 
   static Eigen::Matrix<double, 6, 16, Eigen::RowMajor> bernstein_rows(const Place& place, int order)
@@ -228,7 +231,7 @@ private:
       if(du + dv > order)
         break;
       const Row bs = bernstein(place.s, du), bt = bernstein(place.t, dv);
-      const double factor = std::pow(scale, du + dv);
+      const double factor = (du + dv > 0 ? scale : 1) * (du + dv > 1 ? scale : 1);
       for(int j = 0; j < 4; ++j)
         for(int i = 0; i < 4; ++i)
           b(k, 4 * j + i) = factor * bs[i] * bt[j];

@@ -14,6 +14,7 @@
 #include <CGAL/Surface_mesh_spline_conversion/internal/surface/cubic_B_spline.h>
 #include <CGAL/T_NURCC_surface_3.h>
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -63,6 +64,60 @@ void T_NURCC_surface_3<K>::add_positions(const Patch& patch, const Regular_eleme
                                         + FT(column[2]) * curve[2] + FT(column[3]) * curve[3]);
     }
   }
+}
+
+template <typename K>
+void T_NURCC_surface_3<K>::basis_on_grid(size_type i, size_type nu, size_type nv,
+                                         std::vector<size_type>& control_points,
+                                         std::vector<double>& values) const
+{
+  using Surface_mesh_spline_conversion::internal::dot;
+  CGAL_precondition(!is_extraordinary_patch(i));
+  const Patch& patch = m_basis.patch(i);
+  const size_type first = m_basis.element(m_basis.first_element(patch)).first;
+  const size_type last = m_basis.element(m_basis.last_element(patch) - 1).last;
+  control_points.clear();
+  std::vector<size_type> numbers; // of the functions from the first to the last one
+  for(size_type f = first; f < last; ++f)
+  {
+    const size_type point = m_basis.function(f).control_point;
+    const auto it = std::find(control_points.begin(), control_points.end(), point);
+    numbers.push_back(size_type(it - control_points.begin()));
+    if(it == control_points.end())
+      control_points.push_back(point);
+  }
+  const size_type n = control_points.size();
+  values.assign(n * (nu + 1) * (nv + 1), 0);
+  for(size_type e = m_basis.first_element(patch); e < m_basis.last_element(patch); ++e)
+  {
+    const Regular_element& element = m_basis.element(e);
+    const auto columns = bernstein_on_grid(patch.u1 - patch.u0, nu, element.u0, element.u1);
+    for(const auto& row : bernstein_on_grid(patch.v1 - patch.v0, nv, element.v0, element.v1))
+      for(size_type f = element.first; f < element.last; ++f)
+      {
+        const double value = dot(row.second, m_basis.function(f).v);
+        for(const auto& column : columns)
+          values[(row.first * (nu + 1) + column.first) * n + numbers[f - first]]
+            += value * dot(column.second, m_basis.function(f).u);
+      }
+  }
+}
+
+// Evaluates the Bernstein polynomials on [begin, end] at the ends of `n` intervals of [0, size], as
+// far as these lie in [begin, end], the begin excluded unless it is zero.
+template <typename K>
+typename T_NURCC_surface_3<K>::Grid_rows
+T_NURCC_surface_3<K>::bernstein_on_grid(double size, size_type n, double begin, double end)
+{
+  namespace internal = Surface_mesh_spline_conversion::internal;
+  Grid_rows result;
+  for(size_type i = 0; i <= n; ++i)
+  {
+    const double x = size * double(i) / double(n);
+    if((begin < x || (i == 0 && begin == 0)) && x <= end)
+      result.emplace_back(i, internal::bernstein((x - begin) / (end - begin), 0));
+  }
+  return result;
 }
 
 } // namespace CGAL

@@ -1,0 +1,127 @@
+// Copyright (c) 2026 the authors of the package Surface_mesh_spline_conversion.
+// All rights reserved.
+//
+// This file is part of the package Surface_mesh_spline_conversion, which is being
+// prepared for submission to CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+#ifndef CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_FITTING_VERTEX_SAMPLES_H
+#define CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_FITTING_VERTEX_SAMPLES_H
+
+#include <CGAL/license/Surface_mesh_spline_conversion.h>
+
+#include <CGAL/Surface_mesh_spline_conversion/internal/for_each_index.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/to_eigen.h>
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_spline_conversion {
+namespace internal {
+
+// Finds, for each vertex of the mesh, the error sample whose point of the target is nearest to it, of
+// those in the faces around it. A vertex where the target differs from the mesh has none.
+template <typename Samples, typename Target>
+class Vertex_samples
+{
+  typedef std::size_t size_type;
+
+public:
+  Vertex_samples(const Samples& samples, const Target& target)
+    : m_samples(samples), m_target(target)
+  {}
+
+  // returns the numbers of the samples, or `Samples::none`
+  std::vector<size_type> operator()() const
+  {
+    return completed(std::vector<size_type>(m_target.number_of_mesh_vertices(), Samples::none));
+  }
+
+  // does the same, when `nearest` are those of the previous samples: one that still exists can only
+  // give way to one on a new patch
+  std::vector<size_type> operator()(const Samples& previous,
+                                    const std::vector<size_type>& nearest) const
+  {
+    std::vector<size_type> patches(previous.number_of_patches(), Samples::none);
+    for(size_type p = 0; p < m_samples.number_of_patches(); ++p)
+      if(!is_new(p))
+        patches[m_samples.previous_patch(p)] = p;
+    std::vector<size_type> result(nearest.size(), Samples::none);
+    for(size_type v = 0; v < nearest.size(); ++v)
+      if(nearest[v] != Samples::none)
+      {
+        const size_type old = previous.error_place(nearest[v]).patch;
+        if(patches[old] != Samples::none)
+          result[v] = nearest[v] - previous.first_error_sample(old)
+                      + m_samples.first_error_sample(patches[old]);
+      }
+    return completed(std::move(result));
+  }
+
+private:
+  bool is_new(size_type patch) const { return m_samples.previous_patch(patch) == Samples::none; }
+
+  // `known`: samples that are nearest on patches that are not new
+  std::vector<size_type> completed(std::vector<size_type> known) const
+  {
+    std::vector<size_type> result = known;
+    std::vector<double> distances(known.size(), (std::numeric_limits<double>::infinity)());
+    for(size_type v = 0; v < known.size(); ++v)
+      if(known[v] != Samples::none)
+        distances[v] = squared_distance(v, known[v]);
+    for(size_type p = 0; p < m_samples.number_of_patches(); ++p)
+      for_each_vertex(p, [&](size_type v, size_type i)
+      {
+        if(known[v] != Samples::none && !is_new(p))
+          return;
+        const double d = squared_distance(v, i);
+        if(d >= distances[v])
+          return;
+        result[v] = i;
+        distances[v] = d;
+      });
+    for_each_index(result.size(), [&](size_type v)
+    {
+      if(result[v] != Samples::none && !is_on_mesh(result[v]))
+        result[v] = Samples::none;
+    });
+    return result;
+  }
+
+  // calls `visit(v, i)` for the samples of a patch and the vertices of their faces
+  template <typename Visitor>
+  void for_each_vertex(size_type patch, const Visitor& visit) const
+  {
+    for(size_type i = m_samples.first_error_sample(patch);
+        i < m_samples.first_error_sample(patch + 1); ++i)
+      if(m_samples.mesh_face(i) != m_target.number_of_mesh_faces())
+        for(size_type v : m_target.mesh_face(m_samples.mesh_face(i)))
+          visit(v, i);
+  }
+
+  double squared_distance(size_type vertex, size_type sample) const
+  {
+    return (to_eigen(m_target.mesh_vertex(vertex)) - m_samples.target(sample)).squaredNorm();
+  }
+
+  bool is_on_mesh(size_type sample) const
+  {
+    const typename Samples::Place at = m_samples.error_place(sample);
+    return m_target.is_on_mesh(at.quad, at.u, at.v);
+  }
+
+  const Samples& m_samples;
+  const Target& m_target;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_spline_conversion
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_FITTING_VERTEX_SAMPLES_H
