@@ -475,9 +475,9 @@ singularities are tried as well, and the layout with the fewest quads is kept. W
 layout are inverted when they are drawn flat, smaller ones are tried around them, and around those
 that are inverted then; the layout with the fewest of them is kept. The work of all this is counted,
 and ends in proportion to the numbers of triangles and of wanted quads. What cannot fail comes last,
-if there is no map: the mesh is coarsened, a ring of quads is laid along each boundary loop, and each
-triangle in between is divided into three quads. Such a layout is valid, but has many extraordinary
-points; its corners are regular vertices even where the boundary is convex.
+if there is no map: the mesh is coarsened, a ring of quads is laid along each boundary loop, and
+each triangle in between is divided into three quads. Such a layout is valid, but has many
+extraordinary points; its corners are regular vertices even where the boundary is convex.
 `Conversion_report::Map::fallback` says which of these was needed.
 
 \tparam TriangleMesh a model of `HalfedgeListGraph` and `FaceListGraph`

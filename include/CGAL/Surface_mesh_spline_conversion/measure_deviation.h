@@ -124,11 +124,11 @@ measures how far a shell is from the mesh it was made from.
 The measurement shares no code with the fits. Boundary: points of the boundary edges of the shell
 are projected on the curves, and points of the curves on the boundary edges. Interior: points of the
 surface, as dense as the vertices of the mesh and with a search uphill from the largest values and
-from creases of the mesh, are compared with the mesh, and the vertices and face centres of the mesh with the surface. Within three
-mean edge lengths of the boundary, where the mesh has chords and the surface has curves, only
-what exceeds the gap between the nearest edges and their curves counts; in the outer half of this
-band, what exceeds a part of the gap that falls to nothing. All figures are maxima over samples,
-hence lower bounds.
+from creases of the mesh, are compared with the mesh, and the vertices and face centres of the mesh
+with the surface. Within three mean edge lengths of the boundary, where the mesh has chords and the
+surface has curves, only what exceeds the gap between the nearest edges and their curves counts; in
+the outer half of this band, what exceeds a part of the gap that falls to nothing. All figures are
+maxima over samples, hence lower bounds.
 
 \tparam K a model of `Kernel`
 \tparam TriangleMesh a model of `FaceListGraph` and `VertexListGraph`

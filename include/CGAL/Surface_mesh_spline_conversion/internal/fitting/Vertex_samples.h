@@ -25,8 +25,8 @@ namespace CGAL {
 namespace Surface_mesh_spline_conversion {
 namespace internal {
 
-// Finds, for each vertex of the mesh, the error sample whose point of the target is nearest to it, of
-// those in the faces around it. A vertex where the target differs from the mesh has none.
+// Finds, for each vertex of the mesh, the error sample whose point of the target is nearest to it,
+// of those in the faces around it. A vertex where the target differs from the mesh has none.
 template <typename Samples, typename Target>
 class Vertex_samples
 {

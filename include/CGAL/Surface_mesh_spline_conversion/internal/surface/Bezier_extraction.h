@@ -205,8 +205,8 @@ private:
     Row row;
   };
 
-  // Most factors occur again and again, since most knots are uniform. The last one of those with the
-  // same hash value is kept.
+  // Most factors occur again and again, since most knots are uniform. The last one of those with
+  // the same hash value is kept.
   const Row& row(const Knots& knots, std::int64_t begin, std::int64_t end)
   {
     constexpr std::uint64_t multiplier = 0x9e3779b97f4a7c15; // 2^64 divided by the golden ratio
