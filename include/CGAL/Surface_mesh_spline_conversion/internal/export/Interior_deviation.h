@@ -57,7 +57,8 @@ public:
     climb(starts_at_samples());
   }
 
-  /// adds the distances of the vertices and face centres of the mesh from the surface
+  /// adds the distances of the vertices and face centres of the mesh from the surface, and searches
+  /// for large deviations of the surface above the creases of the mesh
   template <typename TriangleMesh, typename VertexPointMap>
   void add_mesh(const TriangleMesh& tm, const VertexPointMap& vpm)
   {
