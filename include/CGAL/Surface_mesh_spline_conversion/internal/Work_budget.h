@@ -19,8 +19,8 @@ namespace Surface_mesh_spline_conversion {
 namespace internal {
 
 // A limit of the work for results that could also be less good. Work is counted and not measured by
-// a clock: the same input gives the same result on every machine. A unit takes about a microsecond
-// on one core of 2026. Copies and shares of a budget count together.
+// a clock: the result does not depend on the speed and the load of the machine. A unit takes about
+// a microsecond on one core of 2026. Copies and shares of a budget count together, in one thread.
 class Work_budget
 {
 public:
