@@ -188,7 +188,7 @@ public:
     m_chain_starts = builder.chain_starts();
     m_chain_is_closed = builder.chain_is_closed();
     Closure(m_mesh, m_units).run();
-    update();
+    update(T_mesh());
   }
 
   /// @}
@@ -411,10 +411,10 @@ private:
 
   static Vertex vertex(size_type i) { return Vertex(typename Control_mesh::size_type(i)); }
 
-  void update()
+  // brings all but the control points up to date; `old_mesh`: the mesh that the basis belongs to
+  void update(const T_mesh& old_mesh)
   {
-    m_mesh.update();
-    m_basis = Patch_basis(m_mesh, m_basis);
+    m_basis = Patch_basis(m_mesh, old_mesh, m_basis);
     m_extraordinary_points.clear();
     for(Vertex v : m_mesh.mesh().vertices())
       if(m_mesh.is_extraordinary(v))

@@ -44,10 +44,29 @@ struct Regular_element
   std::size_t first, last; // its functions
 };
 
-// The Bezier elements of all patches: each function is spread over the faces of its support by a
-// search through the faces, each face is split at the knots inside, and each function is written in
-// Bernstein form there. On a face with extraordinary corners, these are only the functions of
-// vertices that are no neighbors of these corners, see `Extraordinary_face`.
+// the Bezier elements of all patches
+struct Bezier_elements
+{
+  std::vector<Element_function> functions;
+  std::vector<Regular_element> elements;
+  std::vector<std::size_t> first_element; // of a face, one more than there are faces
+
+  // visits the functions of a face, element by element
+  template <typename Visitor>
+  void for_each_function(std::size_t face, const Visitor& visit) const
+  {
+    for(std::size_t e = first_element[face]; e < first_element[face + 1]; ++e)
+      for(std::size_t i = elements[e].first; i < elements[e].last; ++i)
+        visit(functions[i]);
+  }
+};
+
+// Finds the Bezier elements of all patches: each function is spread over the faces of its support
+// by a search through the faces, each face is split at the knots inside, and each function is
+// written in Bernstein form there. On a face with extraordinary corners, these are only the
+// functions of vertices that are no neighbors of these corners, see `Extraordinary_face`.
+//
+// Where a refinement has not changed the functions of a face, its elements are copied.
 template <typename Point>
 class Bezier_extraction
 {
@@ -71,41 +90,132 @@ class Bezier_extraction
 
   typedef Face_search<Point> Search;
   typedef typename Search::Placement Placement;
+  typedef std::array<std::array<Ticks, 2>, 4> Intervals; // two along each direction
 
   static constexpr int bits_of_rows = 10;
 
 public:
-  std::vector<Element_function> functions;
-  std::vector<Regular_element> elements;
-  std::vector<std::size_t> first_element; // of a face, one more than there are faces
-
-  explicit Bezier_extraction(const Mesh& mesh)
-    : m_mesh(mesh), m_search(mesh), m_rows(1 << bits_of_rows)
+  // `old_mesh`: the mesh before it was refined, or an empty one; it has the elements `old`.
+  // \pre both meshes are up to date
+  Bezier_extraction(const Mesh& mesh, const Mesh& old_mesh, const Bezier_elements& old)
+    : m_mesh(mesh), m_old_mesh(old_mesh), m_old(old), m_search(mesh), m_rows(1 << bits_of_rows)
   {
     const std::size_t faces = mesh.mesh().num_faces();
     m_functions_of_face.resize(faces);
     m_excluded.resize(faces);
+    find_changes();
     for(Face f : mesh.mesh().faces())
-      if(mesh.is_patch(f))
+      if(m_is_new[f])
         m_excluded[f] = mesh.extraordinary_neighbors(f);
     for(Vertex v : mesh.mesh().vertices())
-      spread(v);
-    elements.reserve(faces);
-    functions.reserve(16 * faces);
+      if(m_is_spread[v])
+        spread(v);
+    m_result.elements.reserve(faces);
+    m_result.functions.reserve(16 * faces);
     for(Face f : mesh.mesh().faces())
     {
-      first_element.push_back(elements.size());
-      if(m_mesh.is_patch(f))
+      m_result.first_element.push_back(m_result.elements.size());
+      if(m_is_new[f])
         extract(f);
+      else if(m_mesh.is_patch(f))
+        copy(f);
     }
-    first_element.push_back(elements.size());
+    m_result.first_element.push_back(m_result.elements.size());
   }
 
+  Bezier_elements& result() { return m_result; }
+
 private:
+  bool is_old(Vertex v) const { return std::size_t(v) < m_old_mesh.mesh().num_vertices(); }
+  bool is_old(Face f) const { return std::size_t(f) < m_old_mesh.mesh().num_faces(); }
+
+  // may the function of a vertex have changed?
+  bool is_changed(Vertex v) const
+  {
+    return !is_old(v) || m_mesh.is_extraordinary(v)
+           || !m_mesh.star(v).has_knots_of(m_old_mesh.star(v));
+  }
+
+  // Finds the patches whose elements have to be computed, and the vertices whose functions may be
+  // among them.
+  void find_changes()
+  {
+    constexpr std::size_t fraction = 4; // of vertices from which on it is simpler to compute all
+    m_is_spread.resize(m_mesh.mesh().num_vertices());
+    std::size_t number_of_changes = 0;
+    for(Vertex v : m_mesh.mesh().vertices())
+    {
+      m_is_spread[v] = is_changed(v);
+      number_of_changes += m_is_spread[v] ? 1 : 0;
+    }
+    const bool is_whole = fraction * number_of_changes >= m_is_spread.size();
+    m_is_new.resize(m_mesh.mesh().num_faces());
+    for(Face f : m_mesh.mesh().faces())
+      m_is_new[f] = m_mesh.is_patch(f) && (is_whole || !is_old(f) || !has_old_functions(f));
+    if(is_whole)
+      std::fill(m_is_spread.begin(), m_is_spread.end(), char(true));
+    else
+      complete_changes();
+  }
+
+  // is a patch an old one on which no function acted that may have changed?
+  bool has_old_functions(Face f) const
+  {
+    bool result = m_mesh.origin(f) == m_old_mesh.origin(f);
+    m_old.for_each_function(f, [&](const Element_function& function)
+      { result = result && !m_is_spread[function.control_point]; });
+    return result;
+  }
+
+  // adds the patches that functions act on now that may have changed, then all functions that acted
+  // on patches that have to be computed
+  void complete_changes()
+  {
+    for(Vertex v : m_mesh.mesh().vertices())
+      if(m_is_spread[v])
+        for_each_placement(v, [this](const Placement& p, const Intervals&)
+          { m_is_new[p.face] = m_mesh.is_patch(p.face); });
+    for(Face f : m_old_mesh.mesh().faces())
+      if(m_is_new[f])
+      {
+        m_old.for_each_function(f, [this](const Element_function& function)
+          { m_is_spread[function.control_point] = true; });
+        for(Vertex v : m_old_mesh.extraordinary_neighbors(f))
+          m_is_spread[v] = true;
+      }
+  }
+
+  void copy(Face f)
+  {
+    for(std::size_t e = m_old.first_element[f]; e < m_old.first_element[f + 1]; ++e)
+    {
+      Regular_element element = m_old.elements[e];
+      const auto begin = m_old.functions.begin();
+      m_result.functions.insert(m_result.functions.end(), begin + std::ptrdiff_t(element.first),
+                                begin + std::ptrdiff_t(element.last));
+      element.first = m_result.functions.size() - (element.last - element.first);
+      element.last = m_result.functions.size();
+      m_result.elements.push_back(element);
+    }
+  }
+
   void spread(Vertex v)
   {
+    for_each_placement(v, [&](const Placement& p, const Intervals& intervals)
+    {
+      if(m_is_new[p.face] && !is_excluded(v, p.face))
+        add_function(v, p, intervals);
+    });
+  }
+
+  // Calls `visit(placement, intervals)` for the faces on which the function of `v` acts: quadrant by
+  // quadrant of its support, in whose frame the face is placed; `intervals` belong to the directions
+  // 0 to 3 there.
+  template <typename Visitor>
+  void for_each_placement(Vertex v, const Visitor& visit)
+  {
     if(m_mesh.is_extraordinary(v))
-      return spread_extraordinary(v);
+      return visit_extraordinary(v, visit);
     const auto& star = m_mesh.star(v);
     for(int d = 0; d < 4; ++d)
     {
@@ -117,39 +227,38 @@ private:
         turns = 3;
       }
       if(h.is_valid() && !m_mesh.is_border(h))
-        spread_quadrant(v, h, turns, {{star.interval[d], star.interval[(d + 1) & 3],
-                                       star.interval[(d + 2) & 3], star.interval[(d + 3) & 3]}});
+        visit_quadrant(h, turns, {{star.interval[d], star.interval[(d + 1) & 3],
+                                   star.interval[(d + 2) & 3], star.interval[(d + 3) & 3]}}, visit);
     }
   }
 
   // Between two edges of an extraordinary vertex, the knots behind it are those along the next edge
   // to the left and to the right: a face outside of the faces around the vertex is near to one of
   // the two edges only, and does not depend on the knots that belong to the other one.
-  void spread_extraordinary(Vertex v)
+  template <typename Visitor>
+  void visit_extraordinary(Vertex v, const Visitor& visit)
   {
     const Halfedge first = m_mesh.opposite(m_mesh.mesh().halfedge(v));
     Halfedge h = first;
     do
     {
       const Halfedge g = m_mesh.rotated(h), right = m_mesh.next(m_mesh.opposite(h));
-      spread_quadrant(v, h, 0, {{m_mesh.intervals_along(h), m_mesh.intervals_along(g),
-                                 m_mesh.intervals_along(m_mesh.rotated(g)),
-                                 m_mesh.intervals_along(right)}});
+      visit_quadrant(h, 0, {{m_mesh.intervals_along(h), m_mesh.intervals_along(g),
+                             m_mesh.intervals_along(m_mesh.rotated(g)),
+                             m_mesh.intervals_along(right)}}, visit);
       h = g;
     }
     while(h != first);
   }
 
-  // spreads the function of `v` over one quadrant of its support, [0, x] times [0, y]; `h` leaves
-  // `v` in the direction `turns`, and `intervals` belong to the directions 0 to 3 of the quadrant
-  void spread_quadrant(Vertex v, Halfedge h, int turns,
-                       const std::array<std::array<Ticks, 2>, 4>& intervals)
+  // one quadrant, [0, x] times [0, y]; `h` leaves its origin in the direction `turns`
+  template <typename Visitor>
+  void visit_quadrant(Halfedge h, int turns, const Intervals& intervals, const Visitor& visit)
   {
     const std::array<Ticks, 2> extent = {{intervals[0][0] + intervals[0][1],
                                           intervals[1][0] + intervals[1][1]}};
     for(const Placement& p : m_search(h, turns, extent))
-      if(m_mesh.is_patch(p.face) && !is_excluded(v, p.face))
-        add_function(v, p, intervals);
+      visit(p, intervals);
   }
 
   bool is_excluded(Vertex v, Face f) const
@@ -157,8 +266,7 @@ private:
     return std::binary_search(m_excluded[f].begin(), m_excluded[f].end(), v);
   }
 
-  void add_function(Vertex v, const Placement& p,
-                    const std::array<std::array<Ticks, 2>, 4>& intervals)
+  void add_function(Vertex v, const Placement& p, const Intervals& intervals)
   {
     Face_function function;
     function.vertex = v;
@@ -231,7 +339,7 @@ private:
         element.u1 = parameter(u[i + 1]);
         element.v0 = parameter(v[j]);
         element.v1 = parameter(v[j + 1]);
-        element.first = functions.size();
+        element.first = m_result.functions.size();
         for(const Face_function& function : m_functions_of_face[f])
           if(is_active(function.knots[0], u[i], u[i + 1])
              && is_active(function.knots[1], v[j], v[j + 1]))
@@ -240,10 +348,10 @@ private:
             result.control_point = function.vertex;
             result.u = row(function.knots[0], u[i], u[i + 1]);
             result.v = row(function.knots[1], v[j], v[j + 1]);
-            functions.push_back(result);
+            m_result.functions.push_back(result);
           }
-        element.last = functions.size();
-        elements.push_back(element);
+        element.last = m_result.functions.size();
+        m_result.elements.push_back(element);
       }
     std::vector<Face_function>().swap(m_functions_of_face[f]);
   }
@@ -267,7 +375,12 @@ private:
   }
 
   const Mesh& m_mesh;
+  const Mesh& m_old_mesh;
+  const Bezier_elements& m_old;
+  Bezier_elements m_result;
   Search m_search;
+  std::vector<char> m_is_new;    // are the elements of a face computed?
+  std::vector<char> m_is_spread; // are the functions of a vertex among them?
   std::vector<std::vector<Face_function> > m_functions_of_face;
   std::vector<std::vector<Vertex> > m_excluded; // by face
   std::vector<Span_row> m_rows; // see row()

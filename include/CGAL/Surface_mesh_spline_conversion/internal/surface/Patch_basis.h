@@ -18,6 +18,7 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -46,13 +47,13 @@ class Patch_basis
 public:
   Patch_basis() {}
 
-  // `previous`: the basis before the mesh was refined, or an empty one. \pre `mesh` is up to date
-  Patch_basis(const Mesh& mesh, const Patch_basis& previous) : m_tables(previous.m_tables)
+  // `previous`: the basis of `old_mesh`, the mesh before it was refined, or empty ones.
+  // \pre the meshes are up to date
+  Patch_basis(const Mesh& mesh, const Mesh& old_mesh, const Patch_basis& previous)
+    : m_tables(previous.m_tables)
   {
-    Bezier_extraction<Point> extraction(mesh);
-    m_functions.swap(extraction.functions);
-    m_elements.swap(extraction.elements);
-    m_first_element.swap(extraction.first_element);
+    Bezier_extraction<Point> extraction(mesh, old_mesh, previous.m_bezier);
+    m_bezier = std::move(extraction.result());
     m_patch_of_face.assign(mesh.mesh().num_faces(), no_index);
     Extraordinary_face_builder<Point> builder(mesh, m_tables);
     for(Face f : mesh.mesh().faces())
@@ -100,10 +101,10 @@ public:
 
   // The elements of a patch are numbered from first_element() to last_element(); in an
   // extraordinary patch, those functions are added to that of its `extraordinary_face()`.
-  std::size_t first_element(const Patch& patch) const { return m_first_element[patch.face]; }
-  std::size_t last_element(const Patch& patch) const { return m_first_element[patch.face + 1]; }
-  const Regular_element& element(std::size_t i) const { return m_elements[i]; }
-  const Element_function& function(std::size_t i) const { return m_functions[i]; }
+  std::size_t first_element(const Patch& patch) const { return m_bezier.first_element[patch.face]; }
+  std::size_t last_element(const Patch& patch) const { return m_bezier.first_element[patch.face + 1]; }
+  const Regular_element& element(std::size_t i) const { return m_bezier.elements[i]; }
+  const Element_function& function(std::size_t i) const { return m_bezier.functions[i]; }
 
   // calls `visit(control_point, values)` for the functions that do not vanish at the point (u, v)
   // of the quad; `values` are N, N_u, N_v, N_uu, N_uv, N_vv up to `order`
@@ -121,9 +122,9 @@ public:
   {
     const std::size_t last = last_element(patch) - 1;
     for(std::size_t i = first_element(patch); i < last; ++i)
-      if(u <= m_elements[i].u1 && v <= m_elements[i].v1)
-        return m_elements[i];
-    return m_elements[last];
+      if(u <= m_bezier.elements[i].u1 && v <= m_bezier.elements[i].v1)
+        return m_bezier.elements[i];
+    return m_bezier.elements[last];
   }
 
 private:
@@ -164,10 +165,11 @@ private:
        || (patch.extraordinary != no_index
            && !extraordinary_face(patch).has_functions(other.extraordinary_face(of_other))))
       return false;
-    return std::equal(m_elements.begin() + std::ptrdiff_t(first_element(patch)),
-                      m_elements.begin() + std::ptrdiff_t(last_element(patch)),
-                      other.m_elements.begin() + std::ptrdiff_t(other.first_element(of_other)),
-                      other.m_elements.begin() + std::ptrdiff_t(other.last_element(of_other)),
+    const auto elements = m_bezier.elements.begin(), others = other.m_bezier.elements.begin();
+    return std::equal(elements + std::ptrdiff_t(first_element(patch)),
+                      elements + std::ptrdiff_t(last_element(patch)),
+                      others + std::ptrdiff_t(other.first_element(of_other)),
+                      others + std::ptrdiff_t(other.last_element(of_other)),
                       [&](const Regular_element& a, const Regular_element& b)
                       { return has_functions(a, other, b); });
   }
@@ -175,11 +177,10 @@ private:
   bool has_functions(const Regular_element& a, const Patch_basis& other,
                      const Regular_element& b) const
   {
+    const auto functions = m_bezier.functions.begin(), others = other.m_bezier.functions.begin();
     return a.u0 == b.u0 && a.v0 == b.v0 && a.u1 == b.u1 && a.v1 == b.v1
-           && std::equal(m_functions.begin() + std::ptrdiff_t(a.first),
-                         m_functions.begin() + std::ptrdiff_t(a.last),
-                         other.m_functions.begin() + std::ptrdiff_t(b.first),
-                         other.m_functions.begin() + std::ptrdiff_t(b.last));
+           && std::equal(functions + std::ptrdiff_t(a.first), functions + std::ptrdiff_t(a.last),
+                         others + std::ptrdiff_t(b.first), others + std::ptrdiff_t(b.last));
   }
 
   template <typename Visitor>
@@ -202,7 +203,7 @@ private:
     }
     for(std::size_t i = element.first; i < element.last; ++i)
     {
-      const Element_function& f = m_functions[i];
+      const Element_function& f = m_bezier.functions[i];
       std::array<double, 6> value = {{0, 0, 0, 0, 0, 0}};
       const double fu = dot(bu[0], f.u), fv = dot(bv[0], f.v);
       value[0] = fu * fv;
@@ -244,9 +245,7 @@ private:
   std::size_t m_last_stamp = 0;
   std::vector<std::size_t> m_patch_of_face;
   std::vector<std::vector<std::size_t> > m_patches_of_quad;
-  std::vector<Element_function> m_functions;
-  std::vector<Regular_element> m_elements;
-  std::vector<std::size_t> m_first_element;
+  Bezier_elements m_bezier;
   std::vector<Extraordinary_face> m_extraordinary_faces;
 };
 

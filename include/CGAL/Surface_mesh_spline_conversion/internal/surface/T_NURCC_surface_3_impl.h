@@ -73,7 +73,7 @@ void T_NURCC_surface_3<K>::change_mesh(const Change& change)
   const T_mesh old_mesh = m_mesh;
   change(m_mesh, m_units);
   internal::Control_point_transfer<K>(old_mesh, m_basis, m_mesh).run();
-  update();
+  update(old_mesh);
 }
 
 // marks faces with `mark(closure)`, and refines

@@ -37,6 +37,11 @@ struct Face_origin
   int side = 0;                               // of the quad, for the 0-channel along it
   std::array<Ticks, 2> first = {{0, 0}};      // rectangle in the quad; in a channel: first[0] to
   std::array<Ticks, 2> last = {{0, 0}};       // last[0] along the side, first[1] = 0, last[1] = 1
+
+  bool operator==(const Face_origin& o) const
+  {
+    return kind == o.kind && quad == o.quad && side == o.side && first == o.first && last == o.last;
+  }
 };
 
 // The control T-mesh: a half-edge mesh in which T-vertices are ordinary vertices. The corners of a
@@ -63,6 +68,12 @@ public:
     int quarter_turns = 0;           // sum of the angles at the vertex, 4 unless at the boundary
     bool is_border = false;
     bool is_T = false;               // lies inside a side of a face
+
+    // returns `true` if the edges, where the faces to be crossed lie, and the knots are the same
+    bool has_knots_of(const Star& s) const
+    {
+      return out == s.out && into == s.into && interval == s.interval;
+    }
   };
 
   T_mesh() { add_properties(); }
