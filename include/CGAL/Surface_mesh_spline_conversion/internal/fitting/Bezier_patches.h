@@ -18,8 +18,10 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -41,6 +43,18 @@ public:
     Eigen::Vector3d point, u, v; // derivatives along `u` and `v`
   };
 
+  // see `Surface::Bezier_element`
+  struct Element
+  {
+    double u0, v0, u1, v1;
+    std::array<Eigen::Vector3d, 16> points;
+
+    double s(double u) const { return (u - u0) / (u1 - u0); }
+    double t(double v) const { return (v - v0) / (v1 - v0); }
+  };
+
+  typedef std::vector<Element> Elements; // of a patch; none of an extraordinary one
+
   // \pre update() is called for all patches before they are evaluated
   explicit Bezier_patches(const Surface& surface)
     : m_surface(surface), m_elements(surface.number_of_patches())
@@ -51,7 +65,7 @@ public:
   // takes over that control points that act on a patch have moved
   void update(size_type patch)
   {
-    std::vector<Element>& elements = m_elements[patch];
+    Elements& elements = m_elements[patch];
     elements.clear();
     if(m_surface.is_extraordinary_patch(patch))
       return;
@@ -74,8 +88,16 @@ public:
     m_elements[patch] = other.m_elements[patch_of_other];
   }
 
-  // takes over all patches of another surface with the same functions
-  void assign(const Bezier_patches& other) { m_elements = other.m_elements; }
+  const Elements& elements(size_type patch) const { return m_elements[patch]; }
+
+  // replaces the elements of a patch by as many others, and returns the end of these
+  typename Elements::const_iterator set_elements(size_type patch,
+                                                 typename Elements::const_iterator first)
+  {
+    const auto last = first + std::ptrdiff_t(m_elements[patch].size());
+    std::copy(first, last, m_elements[patch].begin());
+    return last;
+  }
 
   // computes the points of a patch on a uniform grid, see `Surface::positions()`
   // \pre the patch has a Bezier form
@@ -85,6 +107,14 @@ public:
     const auto o = m_surface.patch_origin(patch);
     const double u0 = CGAL::to_double(o.u0), v0 = CGAL::to_double(o.v0);
     const double du = CGAL::to_double(o.u1) - u0, dv = CGAL::to_double(o.v1) - v0;
+    // the elements are the cells of a grid
+    std::vector<std::pair<double, Row> > columns;
+    columns.reserve(nu + 1);
+    for(size_type i = 0; i <= nu; ++i)
+    {
+      const double u = u0 + du * double(i) / double(nu);
+      columns.emplace_back(u, bernstein(element_at(patch, u, v0).s(u), 0));
+    }
     for(size_type j = 0; j <= nv; ++j)
     {
       const double v = v0 + dv * double(j) / double(nv);
@@ -92,12 +122,11 @@ public:
       Curve along_u = curve(*last, bernstein(last->t(v), 0));
       for(size_type i = 0; i <= nu; ++i)
       {
-        const double u = u0 + du * double(i) / double(nu);
-        const Element& e = element_at(patch, u, v);
+        const Element& e = element_at(patch, columns[i].first, v);
         if(&e != last)
           along_u = curve(e, bernstein(e.t(v), 0));
         last = &e;
-        out[j * (nu + 1) + i] = combination(bernstein(e.s(u), 0), along_u);
+        out[j * (nu + 1) + i] = combination(columns[i].second, along_u);
       }
     }
   }
@@ -119,19 +148,9 @@ public:
 private:
   typedef std::array<Eigen::Vector3d, 4> Curve; // Bezier points
 
-  // see `Surface::Bezier_element`
-  struct Element
-  {
-    double u0, v0, u1, v1;
-    std::array<Eigen::Vector3d, 16> points;
-
-    double s(double u) const { return (u - u0) / (u1 - u0); }
-    double t(double v) const { return (v - v0) / (v1 - v0); }
-  };
-
   const Element& element_at(size_type patch, double u, double v) const
   {
-    const std::vector<Element>& elements = m_elements[patch];
+    const Elements& elements = m_elements[patch];
     for(size_type i = 0; i + 1 < elements.size(); ++i)
       if(u <= elements[i].u1 && v <= elements[i].v1)
         return elements[i];
@@ -170,7 +189,7 @@ private:
   }
 
   const Surface& m_surface;
-  std::vector<std::vector<Element> > m_elements; // of the patches; none of extraordinary ones
+  std::vector<Elements> m_elements; // of the patches
 };
 
 } // namespace internal

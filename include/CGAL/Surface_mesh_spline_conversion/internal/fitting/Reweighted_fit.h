@@ -57,19 +57,19 @@ public:
       return;
     std::vector<Point_3> points = control_points();
     size_type fewest = violations.size();
-    Errors next(errors);
     for(int round = 0; round < number_of_rounds && fit(violations, accuracy); ++round)
     {
-      next.update();
-      violations = next.errors(m_tolerance, largest_excess * m_tolerance);
+      errors.update();
+      violations = errors.errors(m_tolerance, largest_excess * m_tolerance);
       if(violations.size() >= fewest)
         continue;
       fewest = violations.size();
       points = control_points();
-      errors.assign(next);
+      errors.accept();
     }
     for(size_type i = 0; i < points.size(); ++i)
       m_surface.set_control_point(i, points[i]);
+    errors.take_back();
   }
 
 private:

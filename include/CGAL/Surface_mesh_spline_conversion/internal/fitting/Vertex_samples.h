@@ -75,16 +75,14 @@ private:
     for(size_type v = 0; v < known.size(); ++v)
       if(known[v] != Samples::none)
         distances[v] = squared_distance(v, known[v]);
+    const std::vector<char> is_open = faces_without_sample(known);
     for(size_type p = 0; p < m_samples.number_of_patches(); ++p)
-      for_each_vertex(p, [&](size_type v, size_type i)
+      for_each_face(p, [&](size_type face, size_type i)
       {
-        if(known[v] != Samples::none && !is_new(p))
-          return;
-        const double d = squared_distance(v, i);
-        if(d >= distances[v])
-          return;
-        result[v] = i;
-        distances[v] = d;
+        if(is_new(p) || is_open[face])
+          for(size_type v : m_target.mesh_face(face))
+            if(is_new(p) || known[v] == Samples::none)
+              choose_nearer(v, i, result, distances);
       });
     for_each_index(result.size(), [&](size_type v)
     {
@@ -94,15 +92,34 @@ private:
     return result;
   }
 
-  // calls `visit(v, i)` for the samples of a patch and the vertices of their faces
+  // returns which faces of the mesh have a vertex without known sample
+  std::vector<char> faces_without_sample(const std::vector<size_type>& known) const
+  {
+    std::vector<char> result(m_target.number_of_mesh_faces(), false);
+    for(size_type f = 0; f < result.size(); ++f)
+      for(size_type v : m_target.mesh_face(f))
+        result[f] = result[f] || known[v] == Samples::none;
+    return result;
+  }
+
+  void choose_nearer(size_type vertex, size_type sample, std::vector<size_type>& samples,
+                     std::vector<double>& distances) const
+  {
+    const double d = squared_distance(vertex, sample);
+    if(d >= distances[vertex])
+      return;
+    samples[vertex] = sample;
+    distances[vertex] = d;
+  }
+
+  // calls `visit(face, i)` for the samples of a patch and the faces of the mesh there
   template <typename Visitor>
-  void for_each_vertex(size_type patch, const Visitor& visit) const
+  void for_each_face(size_type patch, const Visitor& visit) const
   {
     for(size_type i = m_samples.first_error_sample(patch);
         i < m_samples.first_error_sample(patch + 1); ++i)
       if(m_samples.mesh_face(i) != m_target.number_of_mesh_faces())
-        for(size_type v : m_target.mesh_face(m_samples.mesh_face(i)))
-          visit(v, i);
+        visit(m_samples.mesh_face(i), i);
   }
 
   double squared_distance(size_type vertex, size_type sample) const

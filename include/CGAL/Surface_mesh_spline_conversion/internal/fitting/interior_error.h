@@ -28,6 +28,8 @@
 #include <limits>
 #include <numeric>
 #include <set>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -77,6 +79,8 @@ public:
     m_points.resize(n);
     m_distances.resize(n, unbounded);
     m_is_bound.resize(n, true);
+    m_upper_bounds.assign(samples.number_of_patches(), unbounded);
+    m_is_kept.assign(samples.number_of_patches(), false);
     for_each_index(samples.number_of_patches(), [&](size_type p)
     {
       if(m_moves[p] != unbounded)
@@ -90,7 +94,8 @@ public:
       add_vertices(previous);
   }
 
-  // adapts the bounds since control points have moved
+  // Adapts the bounds since control points have moved. What was known before is kept until the
+  // update is accepted or taken back.
   void update()
   {
     std::vector<Eigen::Vector3d> before(m_control_points.size());
@@ -98,6 +103,12 @@ public:
     for(size_type i = 0; i < before.size(); ++i)
       m_control_points[i] = to_eigen(m_surface.control_point(i));
     find_moves([&](size_type p) { return move(p, before); });
+    for(size_type p = 0; p < m_moves.size(); ++p)
+      if(m_moves[p] != 0 && !m_is_kept[p])
+      {
+        m_is_kept[p] = true;
+        keep(p);
+      }
     for_each_index(m_moves.size(), [&](size_type p)
     {
       if(m_moves[p] == 0)
@@ -108,15 +119,35 @@ public:
     });
   }
 
-  // takes over the bounds and measurements of another error on the same samples
-  void assign(const Interior_error& other)
+  // makes the updates since the last call final
+  void accept()
   {
-    m_patches.assign(other.m_patches);
-    m_points = other.m_points;
-    m_control_points = other.m_control_points;
-    m_distances = other.m_distances;
-    m_is_bound = other.m_is_bound;
-    m_moves = other.m_moves;
+    for(size_type p : m_kept.patches)
+      m_is_kept[p] = false;
+    m_kept.patches.clear();
+    m_kept.elements.clear();
+    m_kept.points.clear();
+    m_kept.distances.clear();
+  }
+
+  // takes back the updates that have not been accepted
+  // \pre the control points are those of the last accepted update again
+  void take_back()
+  {
+    for(size_type i = 0; i < m_control_points.size(); ++i)
+      m_control_points[i] = to_eigen(m_surface.control_point(i));
+    auto element = m_kept.elements.cbegin();
+    auto point = m_kept.points.begin();
+    auto distance = m_kept.distances.begin();
+    for(size_type p : m_kept.patches)
+    {
+      element = m_patches.set_elements(p, element);
+      for(auto it = first_point(p); it != first_point(p + 1); ++it)
+        *it = *point++;
+      for_each_place(p, [&](size_type i) { std::tie(m_distances[i], m_is_bound[i]) = *distance++; });
+      m_upper_bounds[p] = unbounded;
+    }
+    accept();
   }
 
   // returns the largest distance
@@ -242,6 +273,8 @@ private:
   // largest bound, so that few others exceed what has been found.
   double error(size_type patch, double tolerance, double enough)
   {
+    if(m_upper_bounds[patch] <= tolerance)
+      return 0;
     double result = 0;
     const auto measure = [&](size_type i)
     {
@@ -252,11 +285,11 @@ private:
     const size_type end = m_samples.first_error_sample(patch + 1);
     const auto position = [this](size_type i) { return m_distances.begin() + std::ptrdiff_t(i); };
     measure(size_type(std::max_element(position(first), position(end)) - m_distances.begin()));
-    for(size_type i = first; i < end; ++i)
-      measure(i);
-    for(size_type i = first_vertex(patch); i < first_vertex(patch + 1); ++i)
-      measure(m_vertices[i]);
-    return result < tolerance ? 0 : result;
+    for_each_place(patch, measure);
+    if(result >= tolerance)
+      return result;
+    m_upper_bounds[patch] = tolerance;
+    return 0;
   }
 
   std::vector<typename Samples::Place> foot_places(const std::vector<Point_3>& points) const
@@ -287,6 +320,41 @@ private:
   Eigen::Vector3d measured_point(size_type i) const
   {
     return is_vertex(i) ? vertex(i) : m_points[i];
+  }
+
+  // what was known of patches before control points moved, one patch after the other
+  struct Kept_patches
+  {
+    std::vector<size_type> patches;
+    typename Bezier_patches<Surface>::Elements elements;
+    std::vector<Eigen::Vector3d> points;
+    std::vector<std::pair<double, char> > distances; // of samples and vertices; are they bounds?
+  };
+
+  void keep(size_type patch)
+  {
+    const auto& elements = m_patches.elements(patch);
+    m_kept.patches.push_back(patch);
+    m_kept.elements.insert(m_kept.elements.end(), elements.begin(), elements.end());
+    m_kept.points.insert(m_kept.points.end(), first_point(patch), first_point(patch + 1));
+    for_each_place(patch, [&](size_type i)
+      { m_kept.distances.emplace_back(m_distances[i], m_is_bound[i]); });
+  }
+
+  std::vector<Eigen::Vector3d>::iterator first_point(size_type patch)
+  {
+    return m_points.begin() + std::ptrdiff_t(m_samples.first_error_sample(patch));
+  }
+
+  // visits the samples and the vertices of a patch
+  template <typename Visitor>
+  void for_each_place(size_type patch, const Visitor& visit) const
+  {
+    for(size_type i = m_samples.first_error_sample(patch);
+        i < m_samples.first_error_sample(patch + 1); ++i)
+      visit(i);
+    for(size_type i = first_vertex(patch); i < first_vertex(patch + 1); ++i)
+      visit(m_vertices[i]);
   }
 
   // measures the distance at a sample or a vertex, unless it is known
@@ -333,6 +401,7 @@ private:
     const auto& grid = m_samples.grid(patch);
     const size_type first = m_samples.first_error_sample(patch);
     std::vector<Eigen::Vector3d> points;
+    m_upper_bounds[patch] = unbounded;
     m_patches.update(patch);
     if(m_surface.is_extraordinary_patch(patch))
       combine_control_points(patch, points);
@@ -471,7 +540,10 @@ private:
   std::vector<Eigen::Vector3d> m_control_points;
   std::vector<double> m_distances; // at the samples, then of the vertices of the mesh
   std::vector<char> m_is_bound;    // are these upper bounds, or measured?
+  std::vector<double> m_upper_bounds; // which all distances on a patch are below
   std::vector<double> m_moves;     // the largest ones in the neighbourhood of each patch
+  std::vector<char> m_is_kept;     // patches
+  Kept_patches m_kept;
   std::vector<size_type> m_nearest; // samples to the vertices of the mesh
   std::vector<size_type> m_vertices, m_first_vertices; // of the patches
 };
