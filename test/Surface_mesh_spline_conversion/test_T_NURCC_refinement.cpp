@@ -176,8 +176,10 @@ void check_samples(const Surface<K>& surface, const Layout<K>& layout)
   };
   for(std::size_t p = 0; p < surface.number_of_patches(); ++p)
   {
-    for(std::size_t k = 0; k < samples.grid(p).number_of_fit_samples(); ++k)
-      assert(error(samples.error_sample(p, k), samples.surface_point(p, k)) < 1e-12);
+    const std::vector<Eigen::Vector3d> points = samples.surface_points(p);
+    assert(points.size() == samples.grid(p).number_of_fit_samples());
+    for(std::size_t k = 0; k < points.size(); ++k)
+      assert(error(samples.error_sample(p, k), points[k]) < 1e-12);
     const std::vector<double>& values = samples.error_values(p);
     const std::size_t n = samples.number_of_functions(p), number = values.size() / n;
     assert(number == (surface.is_extraordinary_patch(p) ? samples.grid(p).number_of_error_samples()

@@ -77,7 +77,7 @@ public:
     find_previous_patches(previous);
     m_grids.resize(m_number_of_patches);
     for_each_index(m_number_of_patches, [&](size_type p)
-      { m_grids[p] = is_known(p) ? previous->grid(m_previous[p]) : choose_grid(p); });
+      { m_grids[p] = is_known(p) ? previous->grid(m_previous[p]) : choose_grid(p, previous); });
     number_samples();
     find_split_corners();
     m_factors.assign(m_number_of_patches, 1);
@@ -87,7 +87,7 @@ public:
       if(is_known(p))
         copy_targets(p, *previous);
       else
-        make_targets(p);
+        make_targets(p, previous);
     });
   }
 
@@ -130,14 +130,19 @@ public:
     return m_stencils[patch]->values.data() + k * number_of_functions(patch);
   }
 
-  // returns the point of the surface at fit sample `k`
-  Eigen::Vector3d surface_point(size_type patch, size_type k) const
+  // returns the points of the surface at the fit samples of a patch
+  std::vector<Eigen::Vector3d> surface_points(size_type patch) const
   {
-    const Patch_stencils& s = *m_stencils[patch];
-    const double* value = values(patch, k);
-    Eigen::Vector3d result(0, 0, 0);
-    for(size_type i = 0; i < s.functions.size(); ++i)
-      result += value[i] * to_eigen(m_surface.control_point(s.functions[i]));
+    std::vector<Eigen::Vector3d> control_points;
+    control_points.reserve(number_of_functions(patch));
+    for(size_type i : m_stencils[patch]->functions)
+      control_points.push_back(to_eigen(m_surface.control_point(i)));
+    std::vector<Eigen::Vector3d> result(m_grids[patch].number_of_fit_samples(),
+                                        Eigen::Vector3d(0, 0, 0));
+    const double* value = values(patch, 0);
+    for(Eigen::Vector3d& p : result)
+      for(const Eigen::Vector3d& q : control_points)
+        p += *value++ * q;
     return result;
   }
 
@@ -170,11 +175,8 @@ public:
   Place error_place(size_type i) const
   {
     const size_type patch = m_patches[i], k = i - m_first_error_sample[patch];
-    const Grid& g = m_grids[patch];
-    const size_type row = 2 * g.u + 1;
-    const auto& o = m_origins[patch];
-    return place(patch, FT(double(k % row) / double(2 * g.u)),
-                 FT(double(k / row) / double(2 * g.v)), o);
+    const size_type row = 2 * m_grids[patch].u + 1;
+    return error_place(patch, k % row, k / row);
   }
 
   // returns the error sample at the place of fit sample `k` of a patch
@@ -248,7 +250,16 @@ private:
     return Place{patch, o.quad, o.u0 + s * (o.u1 - o.u0), o.v0 + t * (o.v1 - o.v0)};
   }
 
-  static auto key(const Origin& o) { return std::tie(o.quad, o.u0, o.v0, o.u1, o.v1); }
+  // the place with the position (i, j) in the grid of error samples
+  Place error_place(size_type patch, size_type i, size_type j) const
+  {
+    const Grid& g = m_grids[patch];
+    return place(patch, FT(double(i) / double(2 * g.u)), FT(double(j) / double(2 * g.v)),
+                 m_origins[patch]);
+  }
+
+  // The patches of a quad do not overlap: no two have the same first corner.
+  static auto key(const Origin& o) { return std::tie(o.quad, o.u0, o.v0); }
 
   std::vector<size_type> sorted_patches() const
   {
@@ -259,11 +270,20 @@ private:
     return result;
   }
 
+  static bool contains(const Origin& a, const Origin& b)
+  {
+    return a.u0 <= b.u0 && b.u1 <= a.u1 && a.v0 <= b.v0 && b.v1 <= a.v1;
+  }
+
+  // returns the patch that contains a rectangle of a quad, or `none`
   size_type find(const std::vector<size_type>& sorted, const Origin& o) const
   {
-    const auto it = std::lower_bound(sorted.begin(), sorted.end(), o,
-      [this](size_type a, const Origin& b) { return key(m_origins[a]) < key(b); });
-    return it != sorted.end() && key(m_origins[*it]) == key(o) ? *it : none;
+    auto it = std::upper_bound(sorted.begin(), sorted.end(), o,
+      [this](const Origin& a, size_type b) { return key(a) < key(m_origins[b]); });
+    while(it != sorted.begin() && m_origins[*--it].quad == o.quad)
+      if(contains(m_origins[*it], o))
+        return *it;
+    return none;
   }
 
   bool is_known(size_type patch) const { return m_previous[patch] != none; }
@@ -271,11 +291,16 @@ private:
   void find_previous_patches(const Interior_samples* previous)
   {
     m_previous.assign(m_number_of_patches, none);
+    m_parents.assign(m_number_of_patches, none);
     if(previous == nullptr)
       return;
     const std::vector<size_type> order = previous->sorted_patches();
     for(size_type p = 0; p < m_number_of_patches; ++p)
-      m_previous[p] = previous->find(order, m_origins[p]);
+    {
+      m_parents[p] = previous->find(order, m_origins[p]);
+      if(m_parents[p] != none && contains(m_origins[p], previous->m_origins[m_parents[p]]))
+        m_previous[p] = m_parents[p];
+    }
   }
 
   void find_split_corners()
@@ -307,16 +332,13 @@ private:
   }
 
   // compares the lines in the middle of the patch with the longest edge of the face in its center
-  Grid choose_grid(size_type patch) const
+  Grid choose_grid(size_type patch, const Interior_samples* previous) const
   {
     const Origin& o = m_origins[patch];
     const FT half(0.5);
     size_type face;
     const auto point = [&](const FT& s, const FT& t)
-    {
-      const Place at = place(patch, s, t, o);
-      return to_eigen(m_target.point(at.quad, at.u, at.v, face));
-    };
+    { return target_point(place(patch, s, t, o), previous, face); };
     const Eigen::Vector3d left = point(FT(0), half), right = point(FT(1), half);
     const Eigen::Vector3d lower = point(half, FT(0)), upper = point(half, FT(1));
     const Eigen::Vector3d center = point(half, half);
@@ -333,13 +355,38 @@ private:
                 number((center - lower).norm() + (upper - center).norm())};
   }
 
-  void make_targets(size_type patch)
+  // Returns the point of the target at a place, and the face of the mesh there. Half of the samples
+  // of a patch are samples of the one that it comes from.
+  Eigen::Vector3d target_point(const Place& at, const Interior_samples* previous,
+                               size_type& face) const
   {
-    for(size_type i = first_error_sample(patch); i < first_error_sample(patch + 1); ++i)
-    {
-      const Place at = error_place(i);
-      m_targets[i] = to_eigen(m_target.point(at.quad, at.u, at.v, m_faces[i]));
-    }
+    const size_type patch = m_parents[at.patch];
+    const size_type i = patch == none ? none : previous->error_sample_at(patch, at.u, at.v);
+    if(i == none)
+      return to_eigen(m_target.point(at.quad, at.u, at.v, face));
+    face = previous->m_faces[i];
+    return previous->m_targets[i];
+  }
+
+  // returns the error sample of a patch at the parameters, or `none`
+  size_type error_sample_at(size_type patch, const FT& u, const FT& v) const
+  {
+    const Grid& g = m_grids[patch];
+    const Origin& o = m_origins[patch];
+    const double x = double(2 * g.u) * CGAL::to_double((u - o.u0) / (o.u1 - o.u0));
+    const double y = double(2 * g.v) * CGAL::to_double((v - o.v0) / (o.v1 - o.v0));
+    const size_type i = size_type(x), j = size_type(y);
+    return double(i) == x && double(j) == y ? m_first_error_sample[patch] + j * (2 * g.u + 1) + i
+                                            : none;
+  }
+
+  void make_targets(size_type patch, const Interior_samples* previous)
+  {
+    const Grid& g = m_grids[patch];
+    size_type sample = first_error_sample(patch);
+    for(size_type j = 0; j <= 2 * g.v; ++j)
+      for(size_type i = 0; i <= 2 * g.u; ++i, ++sample)
+        m_targets[sample] = target_point(error_place(patch, i, j), previous, m_faces[sample]);
     reset_fit_targets(patch);
     for(size_type k = 0; k < m_grids[patch].number_of_fit_samples(); ++k)
       set_near_face(patch, k, mesh_face(error_sample(patch, k)));
@@ -451,6 +498,7 @@ private:
   size_type m_number_of_patches;
   std::vector<Origin> m_origins;
   std::vector<size_type> m_previous; // patches
+  std::vector<size_type> m_parents;  // previous patches that contain the patches, or `none`
   std::vector<char> m_has_previous_functions;
   std::vector<bool> m_is_at_split_corner; // patches
   std::vector<Grid> m_grids;

@@ -287,17 +287,18 @@ private:
   Points patch_residual(size_type patch, const Points& control_points) const
   {
     const Eigen::Index n = static_cast<Eigen::Index>(m_samples.number_of_functions(patch));
-    Points points(n, 3), result = Points::Zero(n, 3);
+    const Eigen::Index samples
+      = static_cast<Eigen::Index>(m_samples.grid(patch).number_of_fit_samples());
+    Points points(n, 3);
     for(Eigen::Index i = 0; i < n; ++i)
       points.row(i) = control_points.row(Eigen::Index(m_samples.function(patch, size_type(i))));
-    for(size_type k = 0; k < m_samples.grid(patch).number_of_fit_samples(); ++k)
-    {
-      const Eigen::Map<const Eigen::VectorXd> values(m_samples.values(patch, k), n);
-      const Eigen::RowVector3d difference
-        = m_samples.weight(patch, k)
-          * (m_samples.fit_target(patch, k).transpose() - values.transpose() * points);
-      result.noalias() += values * difference;
-    }
+    const Eigen::Map<const Eigen::MatrixXd> values(m_samples.values(patch, 0), n, samples);
+    Points differences = values.transpose().lazyProduct(points);
+    for(Eigen::Index k = 0; k < samples; ++k)
+      differences.row(k) = m_samples.weight(patch, size_type(k))
+                           * (m_samples.fit_target(patch, size_type(k)).transpose()
+                              - differences.row(k));
+    Points result = values.lazyProduct(differences);
     if(m_energy != nullptr)
     {
       const Eigen::MatrixXd& derivatives = m_energy->derivatives(patch);
@@ -312,7 +313,8 @@ private:
   std::vector<int> m_unknown; // per control point
   int m_number_of_unknowns = 0;
   Matrix m_matrix;
-  Eigen::IncompleteCholesky<double> m_preconditioner;
+  // control points that are near have near numbers: another order makes the factor no better
+  Eigen::IncompleteCholesky<double, Eigen::Lower, Eigen::NaturalOrdering<int> > m_preconditioner;
 };
 
 } // namespace internal

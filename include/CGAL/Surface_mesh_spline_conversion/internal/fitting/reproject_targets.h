@@ -59,8 +59,12 @@ private:
     if(m_samples.is_at_split_corner(patch))
       return;
     const auto& grid = m_samples.grid(patch);
+    const Points points = m_samples.surface_points(patch);
     Points original, feet;
     std::vector<size_type> faces;
+    original.reserve(points.size());
+    feet.reserve(points.size());
+    faces.reserve(points.size());
     for(size_type k = 0; k < grid.number_of_fit_samples(); ++k)
     {
       const size_type i = m_samples.error_sample(patch, k);
@@ -68,7 +72,7 @@ private:
       original.push_back(m_samples.target(i));
       faces.push_back(m_samples.near_face(patch, k));
       feet.push_back(to_eigen(m_target.foot_point(
-        to_point(m_samples.surface_point(patch, k)), at.quad, at.u, at.v,
+        to_point(points[k]), at.quad, at.u, at.v,
         to_point(original.back()), m_samples.mesh_face(i), faces.back())));
     }
     unfold(grid.u + 1, grid.v + 1, original, feet);

@@ -82,6 +82,7 @@ public:
                                m_vertices[corners[2]]);
       m_planar_triangles.emplace_back(std::array<Point_3, 3>{{m_vertices[corners[0]],
         m_vertices[corners[1]], m_vertices[corners[2]]}});
+      m_has_area.push_back(normal(m_has_area.size()) != NULL_VECTOR);
       for(i = 0; i < 3; ++i)
         m_mean_edge_length += std::sqrt(CGAL::squared_distance(
           m_vertices[corners[i]], m_vertices[corners[(i + 1) % 3]])) / double(3 * number_of_faces);
@@ -95,7 +96,7 @@ public:
   {
     constexpr double rounding = 1 + 1e-12; // faces that meet at the point are at the same distance
     constexpr std::size_t usual_length = 16; // of a way, which then needs no memory of its own
-    Foot result{closest_point(start, query), start};
+    Foot result;
     double smallest = (std::numeric_limits<double>::infinity)();
     boost::container::small_vector<std::size_t, usual_length> way;
     const auto visit = [&](std::size_t face)
@@ -106,11 +107,11 @@ public:
       const double distance = CGAL::squared_distance(query, p);
       if(distance > rounding * smallest)
         return;
+      if(way.empty() || (distance < smallest && m_has_area[face]))
+        result = Foot{p, face};
+      if(m_has_area[face])
+        smallest = (std::min)(smallest, distance);
       way.push_back(face);
-      if(distance >= smallest || normal(face) == NULL_VECTOR)
-        return;
-      smallest = distance;
-      result = Foot{p, face};
     };
     visit(start);
     for(std::size_t k = 0; k < way.size(); ++k)
@@ -165,6 +166,7 @@ private:
   std::vector<std::array<std::size_t, 3> > m_neighbors;
   std::vector<Kernel::Triangle_3> m_triangles;
   std::vector<Planar_triangle> m_planar_triangles;
+  std::vector<char> m_has_area; // faces
   double m_mean_edge_length = 0;
 };
 
