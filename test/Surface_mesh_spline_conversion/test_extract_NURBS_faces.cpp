@@ -32,6 +32,12 @@ Point_3 on_cylinder(double x, double y, double z)
   return Point_3(RADIUS * x / length, RADIUS * y / length, RADIUS * z);
 }
 
+// with rims that leave their planes
+Point_3 on_wavy_cylinder(double x, double y, double z)
+{
+  return on_cylinder(x, y, z) + K::Vector_3(0, 0, 2 * x * y / (x * x + y * y));
+}
+
 Point_3 on_hill(double x, double y, double)
 {
   return Point_3(RADIUS * x + std::sin(3 * y) / 2, RADIUS * y, 3 * std::cos(2 * x) * std::cos(1.5 * y));
@@ -259,6 +265,42 @@ void test_boundary_vertices()
   }
 }
 
+// the largest ratio of the length of a border edge to its shortest span, in the parameter
+double largest_border_edge(const Shell& shell)
+{
+  std::vector<int> uses(shell.number_of_edges(), 0);
+  for(std::size_t f = 0; f < shell.number_of_faces(); ++f)
+    for(const auto& use : shell.face(f).loop)
+      ++uses[use.edge];
+  double result = 0;
+  for(std::size_t e = 0; e < uses.size(); ++e)
+  {
+    const std::vector<double>& knots = shell.edge(e).curve.knots.knots();
+    if(uses[e] == 1)
+      for(std::size_t i = 1; i < knots.size(); ++i)
+        result = (std::max)(result, (knots.back() - knots.front()) / (knots[i] - knots[i - 1]));
+  }
+  return result;
+}
+
+// Where the boundary is refined towards a point, its edges are divided such that kernels, which
+// look at an edge at a few parameters, do not miss the short spans; edges in planes stay whole.
+void test_refined_boundary(const Quad_layout& layout, bool is_planar)
+{
+  CGAL::T_NURCC_surface_3<K> surface(layout);
+  for(int i = 0; i < 9; ++i)
+    surface.refine_boundary({{0, 0, std::ldexp(1., -i)}});
+  Shell shell;
+  SMSC::extract_NURBS_faces(surface, shell);
+  const Shell_checks<K> checks(shell);
+  const double largest = largest_border_edge(shell);
+  std::cout << "refined boundary: " << checks.number_of_border_edges
+            << " border edges, their length is up to " << largest << " of their shortest span"
+            << std::endl;
+  assert(checks.largest_gap < 1e-13 * RADIUS);
+  assert(is_planar ? largest > 100 : largest <= 16);
+}
+
 std::size_t count(const std::string& text, const std::string& word)
 {
   std::size_t n = 0;
@@ -302,6 +344,8 @@ int main()
     for(double tolerance : {2., 0.5})
       test_lines_out_of_the_tangent_plane(m, tolerance);
   test_boundary_vertices();
+  test_refined_boundary(block_layout<K>(tube_blocks(), 3, on_wavy_cylinder), false);
+  test_refined_boundary(block_layout<K>(tube_blocks(), 3, on_cylinder), true);
   test_obj();
   return 0;
 }

@@ -24,6 +24,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <utility>
 #include <vector>
@@ -107,6 +108,7 @@ public:
     for(std::size_t f = 0; f < faces.size(); ++f)
       loops[f] = loop(faces[f]);
     mark_nodes(loops);
+    divide_boundary_edges(loops);
 
     m_vertex.assign(m_is_node.size(), NO_INDEX);
     m_edge_of_segment.assign(m_complex.segments().size(), NO_INDEX);
@@ -126,6 +128,10 @@ private:
   };
 
   typedef std::array<std::vector<Piece>, 4> Loop; // one run for each side of the face
+  typedef typename std::vector<Piece>::const_iterator Piece_iterator;
+
+  // the longest boundary edge, in lengths of its shortest span
+  static constexpr double LARGEST_EDGE = 16;
 
   // Turns a point of the boundary into a node: the vertex of the complex there, or a new one that
   // cuts a segment.
@@ -211,6 +217,68 @@ private:
         m_is_node[v] = true;
   }
 
+  // Where kernels compute or check the curve of an edge on the face beside the shell, they look at
+  // evenly spaced parameters, Open CASCADE at 23 of them to check, and miss what happens in much
+  // shorter spans. Edges in planes have such curves without any deviation.
+  void divide_boundary_edges(const std::vector<Loop>& loops)
+  {
+    for(const Loop& loop : loops)
+      for(const auto& side : loop)
+        for(Piece_iterator begin = side.begin(), end; begin != side.end(); begin = end)
+        {
+          end = end_of_run(begin, side.end());
+          if(m_complex.across(begin->use).cell == NO_INDEX)
+            divide(begin, end);
+        }
+  }
+
+  // makes nodes of knots of a run next to its middle until no part is too long
+  void divide(Piece_iterator begin, Piece_iterator end)
+  {
+    double total = 0, shortest = (std::numeric_limits<double>::max)();
+    for(Piece_iterator piece = begin; piece != end; ++piece)
+    {
+      total += length(*piece);
+      shortest = (std::min)(shortest, length(*piece));
+    }
+    if(total <= LARGEST_EDGE * shortest || is_planar(begin, end))
+      return;
+    Piece_iterator middle = begin;
+    for(double before = 0; before + length(*middle) / 2 < total / 2 || middle == begin; ++middle)
+      before += length(*middle);
+    m_is_node[middle->source] = true;
+    divide(begin, middle);
+    divide(middle, end);
+  }
+
+  bool is_planar(Piece_iterator begin, Piece_iterator end) const
+  {
+    constexpr double FLAT = 1e-9; // of the extent; curves in planes are fitted to rounding
+    typedef Eigen::Vector3d Vector;
+    const Vector origin = cubic(begin->use).front();
+    std::vector<Vector> points;
+    for(Piece_iterator piece = begin; piece != end; ++piece)
+      for(const Vector& p : cubic(piece->use))
+        points.push_back(p - origin);
+    const auto farthest = [&points](const auto& distance)
+    {
+      return *std::max_element(points.begin(), points.end(),
+                               [&distance](const Vector& p, const Vector& q)
+                               { return distance(p) < distance(q); });
+    };
+    const Vector u = farthest([](const Vector& p) { return p.norm(); });
+    const Vector v = farthest([&u](const Vector& p) { return u.cross(p).norm(); });
+    const Vector normal = u.cross(v).normalized();
+    const auto height = [&normal](const Vector& p) { return std::abs(normal.dot(p)); };
+    return height(farthest(height)) <= FLAT * u.norm();
+  }
+
+  Piece_iterator end_of_run(Piece_iterator begin, Piece_iterator end) const
+  {
+    return std::find_if(begin + 1, end,
+                        [this](const Piece& piece) { return m_is_node[piece.source]; });
+  }
+
   void add_face(const Cell_rectangle& cells, const Face_breaks& breaks, const Loop& loop,
                 Shell& shell)
   {
@@ -222,11 +290,10 @@ private:
                  : first.crease != NO_INDEX ? crease_surface(first)
                  : merged_surface(cells, breaks, face.patch);
     for(const auto& side : loop)
-      for(std::size_t begin = 0, end; begin < side.size(); begin = end)
+      for(Piece_iterator begin = side.begin(), end; begin != side.end(); begin = end)
       {
-        for(end = begin + 1; end < side.size() && !m_is_node[side[end].source]; )
-          ++end;
-        face.loop.push_back(oriented_edge({side.begin() + begin, side.begin() + end}, shell));
+        end = end_of_run(begin, side.end());
+        face.loop.push_back(oriented_edge({begin, end}, shell));
       }
     if(face.is_extraordinary)
       take_edges(shell, face);
@@ -302,6 +369,8 @@ private:
     return (side.last - side.first) * extent / double(QUAD_TICKS);
   }
 
+  double length(const Piece& piece) const { return (piece.last - piece.first) * length(piece.use); }
+
   B_spline_curve_3<K> curve(const std::vector<Piece>& run) const
   {
     for(const auto* side : {&m_complex.here(run.front().use), &m_complex.across(run.front().use)})
@@ -312,7 +381,7 @@ private:
     for(const Piece& piece : run)
     {
       pieces.push_back(restriction(cubic(piece.use), piece.first, piece.last));
-      breaks.push_back(breaks.back() + (piece.last - piece.first) * length(piece.use));
+      breaks.push_back(breaks.back() + length(piece));
     }
     B_spline_curve_3<K> result;
     for(std::size_t i = 0; i < pieces.size() + 3; ++i)
