@@ -336,6 +336,30 @@ void check_torus()
   }
 }
 
+// A star with many spikes: what its concave corners, with two quads each, turn more fits only in
+// the middle. There is a layout of quads that are not inverted, with one vertex for all of it.
+void check_star()
+{
+  const int spikes = 20;
+  Points points{{0, 0, 0}};
+  Triangles triangles;
+  for(int i = 0; i < 2 * spikes; ++i)
+  {
+    const double radius = i % 2 == 0 ? 0.02 : 1, angle = pi * i / spikes;
+    points.emplace_back(radius * std::cos(angle), radius * std::sin(angle), 0);
+    triangles.push_back({{0, 1 + i, 1 + (i + 1) % (2 * spikes)}});
+  }
+  for(double size : {0.3, 1.})
+  {
+    const Result result = compute(to_surface_mesh(points, triangles), size);
+    assert(result.code == SC::Error_code::OK);
+    assert(result.fallback == "singularities gathered on the mesh itself");
+    assert(result.min_scaled_jacobian > 0); // -1 with the layout of last resort
+    // a quad for each spike
+    assert(result.irregular.count(spikes) == 1 && result.quads == std::size_t(spikes));
+  }
+}
+
 // A ramp that winds by one and a quarter turns about a corner: five quads or two.
 void check_large_corner()
 {
@@ -401,6 +425,7 @@ int main()
   check_winding_quads();
   check_torus();
   check_large_corner();
+  check_star();
   check_no_surfaces();
   return 0;
 }

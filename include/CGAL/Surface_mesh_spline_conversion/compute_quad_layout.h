@@ -123,6 +123,8 @@ inline std::string describe(const Field_attempt& attempt, const Integer_grid_map
   }
   if(attempt.mesh == Field_attempt::Mesh::OTHER)
     add(map.proxy ? "a proxy" : "no proxy");
+  if(attempt.gathers_singularities)
+    add("singularities gathered on the mesh itself");
   if(attempt.spacing < 1)
     add("spacing of singularities divided by " + std::to_string(std::lround(1 / attempt.spacing)));
   if(map.map.repairs > 0)
@@ -176,7 +178,17 @@ private:
       if(has_proxy && !m_field.proxy && attempts[i].mesh == Field_attempt::Mesh::CHOSEN)
         break;
     }
-    return code;
+    return can_look_for_map(code) ? gather_singularities() : code;
+  }
+
+  // Many corners beside thin parts of the shape may leave no room for single singularities, and a
+  // proxy of such parts has few vertices. Smaller distances and repairs would part singularities.
+  Error_code gather_singularities()
+  {
+    Field_attempt attempt;
+    attempt.mesh = Field_attempt::Mesh::ITSELF;
+    attempt.gathers_singularities = true;
+    return try_once(attempt, 0, Purpose::FIRST_MAP);
   }
 
   // After a first attempt: finer proxies in place of a folded one, and the other mesh. The mesh
@@ -470,14 +482,16 @@ Where the map fails, singularities are moved, and quads that are larger than the
 shape are given singularities at smaller distances. Where the projection from a proxy turns out to
 have folds, finer proxies are tried; then the mesh itself in place of a proxy, or the other way
 round. The mesh itself comes before finer proxies if it has fewer faces than its proxy. Where there
-are more than twice the quads that size, loops and handles need, smaller distances of the
-singularities are tried as well, and the layout with the fewest quads is kept. Where quads of the
-layout are inverted when they are drawn flat, smaller ones are tried around them, and around those
-that are inverted then; the layout with the fewest of them is kept. The work of all this is counted,
-and ends in proportion to the numbers of triangles and of wanted quads. What cannot fail comes last,
-if there is no map: the mesh is coarsened, a ring of quads is laid along each boundary loop, and
-each triangle in between is divided into three quads. Such a layout is valid, but has many
-extraordinary points; its corners are regular vertices even where the boundary is convex.
+still is no map, singularities of more than four quads that are near each other meet at one vertex
+of the mesh itself: thin parts beside corners may have no room for single ones. Where there are more
+than twice the quads that size, loops and handles need, smaller distances of the singularities are
+tried as well, and the layout with the fewest quads is kept. Where quads of the layout are inverted
+when they are drawn flat, smaller ones are tried around them, and around those that are inverted
+then; the layout with the fewest of them is kept. The work of all this is counted, and ends in
+proportion to the numbers of triangles and of wanted quads. What cannot fail comes last, if there is
+no map: the mesh is coarsened, a ring of quads is laid along each boundary loop, and each triangle
+in between is divided into three quads. Such a layout is valid, but has many extraordinary points;
+its corners are regular vertices even where the boundary is convex.
 `Conversion_report::Map::fallback` says which of these was needed.
 
 \tparam TriangleMesh a model of `HalfedgeListGraph` and `FaceListGraph`
