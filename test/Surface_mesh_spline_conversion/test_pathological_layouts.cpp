@@ -360,6 +360,22 @@ void check_star()
   }
 }
 
+// A sphere with holes and narrow bridges between them, which would have to carry singularities
+// at distances of the quads: they are close to each other, and there is a map.
+void check_narrow_bridges()
+{
+  const int around = 12, across = 6;
+  const Mesh sphere = to_surface_mesh(make_grid(around, across, true, false, [&](double i, double j)
+    {
+      const double t = 2 * pi * i / around, p = pi * (0.08 + 0.84 * j / across);
+      return Eigen::Vector3d(std::sin(p) * std::cos(t), std::sin(p) * std::sin(t), std::cos(p));
+    }, [](int i, int j) { return i % 2 == 1 && j % 2 == 1; }));
+  const Result result = compute(sphere, 1);
+  assert(result.code == SC::Error_code::OK);
+  assert(result.fallback.find("spacing") == 0); // not the layout of last resort
+  assert(result.min_scaled_jacobian > 0); // -0.99 with the layout of last resort
+}
+
 // A ramp that winds by one and a quarter turns about a corner: five quads or two.
 void check_large_corner()
 {
@@ -426,6 +442,7 @@ int main()
   check_torus();
   check_large_corner();
   check_star();
+  check_narrow_bridges();
   check_no_surfaces();
   return 0;
 }

@@ -81,8 +81,8 @@ inline bool has_no_map(Error_code code)
          || code == Error_code::SINGULAR_SYSTEM || code == Error_code::DEGENERATE_MESH;
 }
 
-// of singularities, see `Cross_field`
-constexpr double smallest_spacing = 0.125;
+// of singularities, see `Cross_field`; the second one where repairs have not helped
+constexpr double smallest_spacing = 1. / 8, smallest_last_spacing = 1. / 32;
 
 // One rung of the ladder of attempts to find a map on one mesh: see `Cross_field` for the spacing.
 struct Map_attempt
@@ -103,12 +103,17 @@ inline void append_attempts(const Cross_field& field, std::vector<Map_attempt>& 
   const double size = *std::min_element(field.size.begin(), field.size.end());
   const double edge = mean_edge_length(field.mesh);
   double spacing = attempts.front().spacing;
-  while(spacing > smallest_spacing && spacing * size / 2 >= edges_per_spacing * edge)
+  const auto halve_spacing_until = [&](double smallest)
   {
-    spacing /= 2;
-    attempts.push_back(Map_attempt{spacing, 0});
-  }
+    while(spacing > smallest && spacing * size / 2 >= edges_per_spacing * edge)
+    {
+      spacing /= 2;
+      attempts.push_back(Map_attempt{spacing, 0});
+    }
+  };
+  halve_spacing_until(smallest_spacing);
   attempts.push_back(Map_attempt{spacing, number_of_rungs});
+  halve_spacing_until(smallest_last_spacing);
 }
 
 inline std::string describe(const Field_attempt& attempt, const Integer_grid_map& map)
@@ -275,6 +280,8 @@ private:
         is_better = number_of_quads() < number;
         return Error_code::OK;
       });
+      if(m_has_too_many_faces) // so would have the next one
+        break;
     }
     return code;
   }
@@ -317,6 +324,8 @@ private:
         return extraction_code;
       });
       is_first_map = is_first_map && !is_better;
+      if(m_has_too_many_faces) // so would have the next one
+        break;
     }
     const std::string fallback = m_report.map.fallback;
     if(code == Error_code::OK && least_number > 0 && !m_spare.is_used_up())
@@ -428,7 +437,8 @@ private:
       const double share_of_map = 0.75;
       const Work_budget budget = (is_first ? m_budget : m_spare).share(share_of_map);
       const double faces = m_field.mesh.number_of_faces(), spent = budget.spent();
-      if(!is_first && faces * m_work_per_face > budget.rest())
+      m_has_too_many_faces = !is_first && faces * m_work_per_face > budget.rest();
+      if(m_has_too_many_faces)
         return Error_code::NO_QUAD_LAYOUT;
       const Error_code map_code
         = compute_integer_grid_map(m_field, most_repairs, budget, m_map);
@@ -457,6 +467,7 @@ private:
   Work_budget m_budget;        // known with the first field
   Work_budget m_spare;         // the part of it within which layouts are made better
   double m_work_per_face = 0;  // of the last map
+  bool m_has_too_many_faces = false; // the last field, for a better map within the budget
 };
 
 // the quads of an integer grid map
