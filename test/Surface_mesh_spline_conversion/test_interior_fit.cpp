@@ -1,5 +1,5 @@
 // The interior fit: convergence order on a smooth target, the effect of re-projection on a kinked
-// parametrization, normals above corners of the boundary, limits and interruption.
+// parametrization, normals above corners of the boundary, steps, limits and interruption.
 #include "tensor_product_surface.h"
 
 #include <CGAL/Surface_mesh_spline_conversion/fit_boundary.h>
@@ -11,6 +11,7 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <string>
 #include <vector>
 
 using namespace synthetic;
@@ -396,6 +397,27 @@ void test_corner()
   assert(normal_angle(surface, m) < 0.5);
 }
 
+// No surface follows a step of the target. Refinement ends there, and the report names the place.
+void test_step()
+{
+  const double radius = 0.2, height = 0.1;
+  const auto distance = [](double a, double b) { return std::hypot(a - 0.5, b - 0.5); };
+  Surface shape = height_field(0);
+  shape.point = [&](double a, double b)
+    { return Point(a, b, distance(a, b) < radius ? height : 0); };
+  const Input input(shape, 6, 6, 1);
+  const Smooth_target target{input, shape};
+  T_NURCC_surface surface(input.layout());
+  SC::Conversion_report report;
+  const auto np = params::interior_tolerance(1e-3).boundary_tolerance(1e-3);
+  assert(SC::fit_boundary(surface, target, report, np) == SC::Error_code::OK);
+  assert(SC::fit_interior(surface, target, report, np) == SC::Error_code::TOLERANCE_NOT_REACHED);
+  assert(surface.is_valid() && surface.number_of_patches() < 5000); // without end otherwise
+  assert(report.message.find("near the point") != std::string::npos);
+  const auto& worst = report.interior.worst;
+  assert(std::abs(distance(worst[0], worst[1]) - radius) < 0.1);
+}
+
 struct Stopping_visitor : SC::Default_visitor
 {
   int calls = 0, last_call;
@@ -444,6 +466,7 @@ int main()
   test_reweighted_fit();
   test_reprojection();
   test_corner();
+  test_step();
   test_limits();
   return 0;
 }

@@ -336,6 +336,46 @@ void check_torus()
   }
 }
 
+// A star with many spikes: what its concave corners, with two quads each, turn more fits only in
+// the middle. There is a layout of quads that are not inverted, with one vertex for all of it.
+void check_star()
+{
+  const int spikes = 20;
+  Points points{{0, 0, 0}};
+  Triangles triangles;
+  for(int i = 0; i < 2 * spikes; ++i)
+  {
+    const double radius = i % 2 == 0 ? 0.02 : 1, angle = pi * i / spikes;
+    points.emplace_back(radius * std::cos(angle), radius * std::sin(angle), 0);
+    triangles.push_back({{0, 1 + i, 1 + (i + 1) % (2 * spikes)}});
+  }
+  for(double size : {0.3, 1.})
+  {
+    const Result result = compute(to_surface_mesh(points, triangles), size);
+    assert(result.code == SC::Error_code::OK);
+    assert(result.fallback == "singularities gathered on the mesh itself");
+    assert(result.min_scaled_jacobian > 0); // -1 with the layout of last resort
+    // a quad for each spike
+    assert(result.irregular.count(spikes) == 1 && result.quads == std::size_t(spikes));
+  }
+}
+
+// A sphere with holes and narrow bridges between them, which would have to carry singularities
+// at distances of the quads: they are close to each other, and there is a map.
+void check_narrow_bridges()
+{
+  const int around = 12, across = 6;
+  const Mesh sphere = to_surface_mesh(make_grid(around, across, true, false, [&](double i, double j)
+    {
+      const double t = 2 * pi * i / around, p = pi * (0.08 + 0.84 * j / across);
+      return Eigen::Vector3d(std::sin(p) * std::cos(t), std::sin(p) * std::sin(t), std::cos(p));
+    }, [](int i, int j) { return i % 2 == 1 && j % 2 == 1; }));
+  const Result result = compute(sphere, 1);
+  assert(result.code == SC::Error_code::OK);
+  assert(result.fallback.find("spacing") == 0); // not the layout of last resort
+  assert(result.min_scaled_jacobian > 0); // -0.99 with the layout of last resort
+}
+
 // A ramp that winds by one and a quarter turns about a corner: five quads or two.
 void check_large_corner()
 {
@@ -401,6 +441,8 @@ int main()
   check_winding_quads();
   check_torus();
   check_large_corner();
+  check_star();
+  check_narrow_bridges();
   check_no_surfaces();
   return 0;
 }

@@ -63,6 +63,8 @@ struct Cross_field
                                       ///< boundary, are those for quads of `size` times this factor
   bool keeps_large_corners = false;   ///< whether corners of the boundary with an interior angle
                                       ///< above a full turn keep all their right angles
+  bool gathers_singularities = false; ///< whether singularities of more than four right angles that
+                                      ///< are near each other meet at one vertex
 };
 
 } // namespace Surface_mesh_spline_conversion

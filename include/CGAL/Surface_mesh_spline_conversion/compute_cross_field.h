@@ -86,11 +86,13 @@ std::vector<char> find_curve_joints(const Working_mesh& mesh, const BoundaryCurv
 // One of several attempts at a field; the first one is that of `compute_cross_field()`.
 struct Field_attempt
 {
-  enum class Mesh { CHOSEN, OTHER }; // the proxy or the mesh itself, or the other one of these
+  // the proxy or the mesh itself, the other one of these, or the mesh itself in any case
+  enum class Mesh { CHOSEN, OTHER, ITSELF };
 
   double spacing = 1;                // see `Cross_field`
   double proxy_refinement = 1;       // by how much the edges of the proxy are shorter than usual
   Mesh mesh = Mesh::CHOSEN;
+  bool gathers_singularities = false; // see `Cross_field`
   // per face of the input: the size of the quads there, as a share of the wanted one; may be empty
   std::vector<double> size_shares = {};
   // the proxy, or null if the mesh itself is used: for attempts that differ only in the spacing
@@ -126,6 +128,8 @@ std::shared_ptr<const Proxy_mesh> find_proxy(const Cross_field& field,
                                              const std::vector<char>& is_kept,
                                              const Field_attempt& attempt, const Choice& choice)
 {
+  if(attempt.mesh == Field_attempt::Mesh::ITSELF)
+    return nullptr;
   if(attempt.known_proxy && *attempt.known_proxy)
     return **attempt.known_proxy;
   const auto original = std::make_shared<const Working_mesh>(field.mesh);
@@ -178,6 +182,7 @@ inline bool build_cross_field_on_proxy(Cross_field& field,
   Cross_field on_proxy;
   on_proxy.spacing = field.spacing;
   on_proxy.keeps_large_corners = field.keeps_large_corners;
+  on_proxy.gathers_singularities = field.gathers_singularities;
   on_proxy.mesh = proxy->mesh;
   on_proxy.size = has_reduced_sizes ? reduced_sizes(field, *proxy) : proxy->size;
   on_proxy.wanted_direction = directions_on_proxy(field, *proxy);
@@ -252,6 +257,7 @@ Error_code compute_cross_field(const TriangleMesh& tm, const BoundaryCurveNetwor
                                     get_const_property_map(vertex_point, tm));
   field = Cross_field();
   field.spacing = attempt.spacing;
+  field.gathers_singularities = attempt.gathers_singularities;
   field.keeps_large_corners
     = choose_parameter(get_parameter(np, internal_np::do_keep_large_corners), false);
   std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> vertex;

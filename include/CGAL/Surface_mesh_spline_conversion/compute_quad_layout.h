@@ -81,8 +81,8 @@ inline bool has_no_map(Error_code code)
          || code == Error_code::SINGULAR_SYSTEM || code == Error_code::DEGENERATE_MESH;
 }
 
-// of singularities, see `Cross_field`
-constexpr double smallest_spacing = 0.125;
+// of singularities, see `Cross_field`; the second one where repairs have not helped
+constexpr double smallest_spacing = 1. / 8, smallest_last_spacing = 1. / 32;
 
 // One rung of the ladder of attempts to find a map on one mesh: see `Cross_field` for the spacing.
 struct Map_attempt
@@ -103,12 +103,17 @@ inline void append_attempts(const Cross_field& field, std::vector<Map_attempt>& 
   const double size = *std::min_element(field.size.begin(), field.size.end());
   const double edge = mean_edge_length(field.mesh);
   double spacing = attempts.front().spacing;
-  while(spacing > smallest_spacing && spacing * size / 2 >= edges_per_spacing * edge)
+  const auto halve_spacing_until = [&](double smallest)
   {
-    spacing /= 2;
-    attempts.push_back(Map_attempt{spacing, 0});
-  }
+    while(spacing > smallest && spacing * size / 2 >= edges_per_spacing * edge)
+    {
+      spacing /= 2;
+      attempts.push_back(Map_attempt{spacing, 0});
+    }
+  };
+  halve_spacing_until(smallest_spacing);
   attempts.push_back(Map_attempt{spacing, number_of_rungs});
+  halve_spacing_until(smallest_last_spacing);
 }
 
 inline std::string describe(const Field_attempt& attempt, const Integer_grid_map& map)
@@ -123,6 +128,8 @@ inline std::string describe(const Field_attempt& attempt, const Integer_grid_map
   }
   if(attempt.mesh == Field_attempt::Mesh::OTHER)
     add(map.proxy ? "a proxy" : "no proxy");
+  if(attempt.gathers_singularities)
+    add("singularities gathered on the mesh itself");
   if(attempt.spacing < 1)
     add("spacing of singularities divided by " + std::to_string(std::lround(1 / attempt.spacing)));
   if(map.map.repairs > 0)
@@ -176,7 +183,17 @@ private:
       if(has_proxy && !m_field.proxy && attempts[i].mesh == Field_attempt::Mesh::CHOSEN)
         break;
     }
-    return code;
+    return can_look_for_map(code) ? gather_singularities() : code;
+  }
+
+  // Many corners beside thin parts of the shape may leave no room for single singularities, and a
+  // proxy of such parts has few vertices. Smaller distances and repairs would part singularities.
+  Error_code gather_singularities()
+  {
+    Field_attempt attempt;
+    attempt.mesh = Field_attempt::Mesh::ITSELF;
+    attempt.gathers_singularities = true;
+    return try_once(attempt, 0, Purpose::FIRST_MAP);
   }
 
   // After a first attempt: finer proxies in place of a folded one, and the other mesh. The mesh
@@ -263,6 +280,8 @@ private:
         is_better = number_of_quads() < number;
         return Error_code::OK;
       });
+      if(m_has_too_many_faces) // so would have the next one
+        break;
     }
     return code;
   }
@@ -305,6 +324,8 @@ private:
         return extraction_code;
       });
       is_first_map = is_first_map && !is_better;
+      if(m_has_too_many_faces) // so would have the next one
+        break;
     }
     const std::string fallback = m_report.map.fallback;
     if(code == Error_code::OK && least_number > 0 && !m_spare.is_used_up())
@@ -416,7 +437,8 @@ private:
       const double share_of_map = 0.75;
       const Work_budget budget = (is_first ? m_budget : m_spare).share(share_of_map);
       const double faces = m_field.mesh.number_of_faces(), spent = budget.spent();
-      if(!is_first && faces * m_work_per_face > budget.rest())
+      m_has_too_many_faces = !is_first && faces * m_work_per_face > budget.rest();
+      if(m_has_too_many_faces)
         return Error_code::NO_QUAD_LAYOUT;
       const Error_code map_code
         = compute_integer_grid_map(m_field, most_repairs, budget, m_map);
@@ -445,6 +467,7 @@ private:
   Work_budget m_budget;        // known with the first field
   Work_budget m_spare;         // the part of it within which layouts are made better
   double m_work_per_face = 0;  // of the last map
+  bool m_has_too_many_faces = false; // the last field, for a better map within the budget
 };
 
 // the quads of an integer grid map
@@ -470,14 +493,16 @@ Where the map fails, singularities are moved, and quads that are larger than the
 shape are given singularities at smaller distances. Where the projection from a proxy turns out to
 have folds, finer proxies are tried; then the mesh itself in place of a proxy, or the other way
 round. The mesh itself comes before finer proxies if it has fewer faces than its proxy. Where there
-are more than twice the quads that size, loops and handles need, smaller distances of the
-singularities are tried as well, and the layout with the fewest quads is kept. Where quads of the
-layout are inverted when they are drawn flat, smaller ones are tried around them, and around those
-that are inverted then; the layout with the fewest of them is kept. The work of all this is counted,
-and ends in proportion to the numbers of triangles and of wanted quads. What cannot fail comes last,
-if there is no map: the mesh is coarsened, a ring of quads is laid along each boundary loop, and
-each triangle in between is divided into three quads. Such a layout is valid, but has many
-extraordinary points; its corners are regular vertices even where the boundary is convex.
+still is no map, singularities of more than four quads that are near each other meet at one vertex
+of the mesh itself: thin parts beside corners may have no room for single ones. Where there are more
+than twice the quads that size, loops and handles need, smaller distances of the singularities are
+tried as well, and the layout with the fewest quads is kept. Where quads of the layout are inverted
+when they are drawn flat, smaller ones are tried around them, and around those that are inverted
+then; the layout with the fewest of them is kept. The work of all this is counted, and ends in
+proportion to the numbers of triangles and of wanted quads. What cannot fail comes last, if there is
+no map: the mesh is coarsened, a ring of quads is laid along each boundary loop, and each triangle
+in between is divided into three quads. Such a layout is valid, but has many extraordinary points;
+its corners are regular vertices even where the boundary is convex.
 `Conversion_report::Map::fallback` says which of these was needed.
 
 \tparam TriangleMesh a model of `HalfedgeListGraph` and `FaceListGraph`

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <functional>
 #include <limits>
 #include <queue>
@@ -146,6 +147,8 @@ public:
         success = move_surplus_of(v);
     }
     cancel_opposite_pairs();
+    if(m_field.gathers_singularities)
+      gather_singularities();
     return success;
   }
 
@@ -313,6 +316,62 @@ private:
         if(goal >= 0)
           move(v, goal, sign);
       }
+  }
+
+  // Thin parts of the shape may have no room for single singularities. Those with a surplus move to
+  // a vertex each that is in reach of most of them, with the smallest sum of distances.
+  void gather_singularities()
+  {
+    typedef std::pair<int, double> Suitability; // number of singularities, and minus that sum
+    std::vector<Suitability> suitability(m_mesh.number_of_vertices(), Suitability(0, 0.));
+    for_each_in_reach([&](int, int x, double distance)
+    {
+      ++suitability[x].first;
+      suitability[x].second -= distance;
+    });
+    std::vector<int> goal(m_mesh.number_of_vertices(), -1);
+    for_each_in_reach([&](int v, int x, double)
+    {
+      if(goal[v] < 0 || suitability[x] > suitability[goal[v]])
+        goal[v] = x;
+    });
+    for(int v = 0; v < m_mesh.number_of_vertices(); ++v)
+      if(goal[v] >= 0 && goal[v] != v)
+        move_surplus(v, goal[v]);
+  }
+
+  // moves all of it
+  void move_surplus(int v, int goal)
+  {
+    m_paths.search(v, (std::numeric_limits<double>::max)(), m_geometry,
+                   [goal](int x) { return x == goal; });
+    while(surplus(v) > 0)
+      move(v, goal, 1);
+  }
+
+  // Calls `function(v, x, distance)` for each inner vertex `v` with a surplus and each inner vertex
+  // `x` in its reach, itself first. Many of them reach fewer vertices each: the work is in
+  // proportion to the size of the mesh.
+  template <typename Function>
+  void for_each_in_reach(Function function)
+  {
+    const std::size_t visits_per_vertex = 100;
+    collect_singularities();
+    const std::size_t most_visits
+      = visits_per_vertex * m_mesh.number_of_vertices() / (m_singularities.size() + 1);
+    for(int v : m_singularities)
+    {
+      if(surplus(v) <= 0)
+        continue;
+      function(v, v, 0.);
+      std::size_t visits = 0;
+      m_paths.search(v, search_radius * m_field.size[v], m_geometry, [&](int x)
+      {
+        if(is_inside(x) && surplus(x) >= 0)
+          function(v, x, m_paths.distance(x));
+        return ++visits >= most_visits;
+      });
+    }
   }
 
   // lengths of shortest edge paths from the boundary

@@ -32,6 +32,8 @@
 #include <CGAL/Real_timer.h>
 #include <CGAL/number_utils.h>
 
+#include <Eigen/Core>
+
 #include <algorithm>
 #include <cstddef>
 #include <limits>
@@ -151,6 +153,13 @@ private:
     std::string message;
   };
 
+  // a fit, while the surface is refined
+  struct Level
+  {
+    double error;
+    size_type patches;
+  };
+
   // Accuracy of the solutions relative to the error at the start, which is that of the surface
   // before the first fit, and the effect of a refinement or of new targets for the others. Ten
   // iterations of conjugate gradients gain about four digits.
@@ -185,11 +194,40 @@ private:
            && m_iteration + 1 < maximum_number_of_iterations;
   }
 
+  // Has the error hardly fallen although the surface has grown to twice its patches, and each patch
+  // of some refinement stands for many now? Errors of approximation fall with the size of the
+  // patches, at a crease of the target in proportion to it; those of a fold do not.
+  static bool is_hopeless(const std::vector<Level>& levels)
+  {
+    constexpr double least_share = 0.9;
+    constexpr size_type many = 32;
+    const Level& last = levels.back();
+    for(size_type i = 0; i + 1 < levels.size(); ++i)
+    {
+      const size_type added = last.patches - levels[i].patches;
+      if(last.error >= least_share * levels[i].error && added >= levels[i].patches
+         && added >= many * (levels[i + 1].patches - levels[i].patches))
+        return true;
+    }
+    return false;
+  }
+
+  Error_code fail_at_worst_place()
+  {
+    const Eigen::Vector3d& p = m_largest.place;
+    return fail(Error_code::TOLERANCE_NOT_REACHED, "the interior tolerance was not reached: the "
+                "error near the point (" + format_number(p[0]) + ", " + format_number(p[1]) + ", "
+                + format_number(p[2]) + ") is " + format_number(m_largest.error)
+                + " and does not fall with the size of the patches; look for a fold or a step of "
+                "the mesh there, or make the quads smaller");
+  }
+
   // Fits, and refines the patches whose error is not below the tolerance, until there is none.
   // Those with less than `share_of_worst` of the largest error wait. Gives up at
-  // `number_of_patches`.
+  // `number_of_patches`, and where refinement does not help.
   Error_code refine_until_met(double share_of_worst, size_type number_of_patches)
   {
+    std::vector<Level> levels;
     for(; m_surface.number_of_patches() < number_of_patches; ++m_iteration)
     {
       Real_timer timer;
@@ -203,6 +241,9 @@ private:
         (std::max)(m_options.tolerance, share_of_worst * m_largest.error));
       if(is_met && (splits.empty() || !can_refine(splits)))
         return m_boundary_code;
+      levels.push_back(Level{m_largest.error, m_surface.number_of_patches()});
+      if(!is_met && is_hopeless(levels))
+        return fail_at_worst_place();
       code = refine(splits);
       if(code != Error_code::OK)
         return code;

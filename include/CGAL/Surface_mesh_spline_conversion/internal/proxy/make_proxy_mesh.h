@@ -237,19 +237,20 @@ private:
            && defects.folded.size() <= largest_share_of_folds * proxy.mesh.number_of_faces();
   }
 
-  // Cures what folds it can. Directions of projection that vary less help most; what remains is
-  // mostly folded itself, unless there is so much that the proxy is too coarse.
+  // Cures what folds it can. Directions of projection that vary less help most, unless so much is
+  // folded that the proxy has little to do with the mesh; what remains is mostly folded itself,
+  // unless there is so much that the proxy is too coarse.
   Defects repair_projection(Proxy_mesh& proxy) const
   {
-    const double largest_share = 0.02;
+    const double largest_share = 0.25, largest_share_to_unfold = 0.02;
     std::vector<int> faces;
     for(int f = 0; f < proxy.mesh.number_of_faces(); ++f)
       faces.push_back(f);
     Defects defects = find_defects(proxy, faces);
     for(const bool do_unfold : {false, true, true})
     {
-      if(defects.folded.empty()
-         || (do_unfold && defects.folded.size() > largest_share * proxy.mesh.number_of_faces()))
+      const double share = do_unfold ? largest_share_to_unfold : largest_share;
+      if(defects.folded.empty() || defects.folded.size() > share * proxy.mesh.number_of_faces())
         break;
       Proxy_mesh candidate = proxy;
       if(do_unfold)
