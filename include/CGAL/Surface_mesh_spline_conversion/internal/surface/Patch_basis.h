@@ -101,8 +101,14 @@ public:
 
   // The elements of a patch are numbered from first_element() to last_element(); in an
   // extraordinary patch, those functions are added to that of its `extraordinary_face()`.
-  std::size_t first_element(const Patch& patch) const { return m_bezier.first_element[patch.face]; }
-  std::size_t last_element(const Patch& patch) const { return m_bezier.first_element[patch.face + 1]; }
+  std::size_t first_element(const Patch& patch) const
+  {
+    return m_bezier.first_element[patch.face];
+  }
+  std::size_t last_element(const Patch& patch) const
+  {
+    return m_bezier.first_element[patch.face + 1];
+  }
   const Regular_element& element(std::size_t i) const { return m_bezier.elements[i]; }
   const Element_function& function(std::size_t i) const { return m_bezier.functions[i]; }
 
