@@ -294,9 +294,6 @@ void test_refined_boundary(const Quad_layout& layout, bool is_planar)
   SMSC::extract_NURBS_faces(surface, shell);
   const Shell_checks<K> checks(shell);
   const double largest = largest_border_edge(shell);
-  std::cout << "refined boundary: " << checks.number_of_border_edges
-            << " border edges, their length is up to " << largest << " of their shortest span"
-            << std::endl;
   assert(checks.largest_gap < 1e-13 * RADIUS);
   assert(is_planar ? largest > 100 : largest <= 16);
 }

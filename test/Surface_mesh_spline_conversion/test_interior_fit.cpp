@@ -213,11 +213,12 @@ double distance_between_samples(const T_NURCC_surface& surface, const Smooth_tar
 
 // A surface that was refined everywhere becomes coarser where the tolerance allows it, and then has
 // about as many patches as one that was not; one that cannot become coarser is kept. The report
-// tells the errors of the surface that remains.
+// tells the errors of the surface that remains. The quads are no squares: with equal errors on both
+// sides of a diagonal, rounding would decide which patches are split and merged.
 void test_coarsening()
 {
   const Surface shape = hill();
-  const Input input(shape, 8, 8, 1);
+  const Input input(shape, 8, 9, 1);
   const Smooth_target target{input, shape};
   const double tolerance = 1e-4 * target.diameter();
   const auto fit = [&](T_NURCC_surface& surface, SC::Conversion_report& report, bool do_coarsen)
@@ -243,7 +244,7 @@ void test_coarsening()
     assert(coarsened.number_of_patches() <= fitted.number_of_patches());
     assert(coarsened.number_of_control_points() <= fitted.number_of_control_points());
     if(is_fine)
-      assert(coarsened.number_of_patches() < fitted.number_of_patches()
+      assert(3 * coarsened.number_of_patches() < 2 * fitted.number_of_patches()
              && 10 * coarsened.number_of_patches() < 11 * patches_from_coarse);
     else
       patches_from_coarse = coarsened.number_of_patches();

@@ -88,6 +88,7 @@ public:
     m_elements[patch] = other.m_elements[patch_of_other];
   }
 
+  // returns the elements of a patch, to be set again later
   const Elements& elements(size_type patch) const { return m_elements[patch]; }
 
   // replaces the elements of a patch by as many others, and returns the end of these

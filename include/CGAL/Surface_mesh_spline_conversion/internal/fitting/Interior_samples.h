@@ -355,8 +355,8 @@ private:
                 number((center - lower).norm() + (upper - center).norm())};
   }
 
-  // Returns the point of the target at a place, and the face of the mesh there. Half of the samples
-  // of a patch are samples of the one that it comes from.
+  // Returns the point of the target at a place, and the face of the mesh there. If a patch was
+  // halved, most samples of its parts are samples of it; if it was quadrisected, nearly a third.
   Eigen::Vector3d target_point(const Place& at, const Interior_samples* previous,
                                size_type& face) const
   {

@@ -313,7 +313,7 @@ private:
   std::vector<int> m_unknown; // per control point
   int m_number_of_unknowns = 0;
   Matrix m_matrix;
-  // control points that are near have near numbers: another order makes the factor no better
+  // The factor has as many entries as the matrix in any order: one with less fill gains nothing.
   Eigen::IncompleteCholesky<double, Eigen::Lower, Eigen::NaturalOrdering<int> > m_preconditioner;
 };
 
