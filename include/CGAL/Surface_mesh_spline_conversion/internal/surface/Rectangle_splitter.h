@@ -56,7 +56,7 @@ public:
         patches.push_back(f);
     for(Face f : patches)
       split(f, m_rectangles[m_mesh.origin(f).quad]);
-    m_mesh.update();
+    m_mesh.update_frames();
   }
 
 private:

@@ -72,22 +72,38 @@ public:
   // bisects the marked faces and restores all rules; \pre the mesh is up to date
   void run()
   {
-    do
+    apply_marks();
+    m_mesh.update_frames();
+    std::vector<Face> faces(m_mesh.mesh().faces().begin(), m_mesh.mesh().faces().end());
+    while(mark_what_breaks_rules(faces))
     {
       apply_marks();
-      mark_channels();
-      mark_boundary_grading();
-      mark_patches();
-      mark_extraordinary_points();
-      if(m_marks.empty() && m_boundary_marks.empty())
-        mark_crossings();
+      faces = m_mesh.update_frames();
     }
-    while(!m_marks.empty() || !m_boundary_marks.empty());
+    m_mesh.update_intervals();
   }
 
 private:
   std::int64_t size(Face f, int axis) const { return rounded_parameter(m_mesh.extent(f, axis)); }
   std::int64_t size(Halfedge h) const { return rounded_parameter(m_mesh.length(h)); }
+
+  // Returns `false` if there is nothing to be marked. `faces`: all that may break a rule by their
+  // own sides.
+  bool mark_what_breaks_rules(const std::vector<Face>& faces)
+  {
+    for(Face f : faces)
+      if(m_mesh.is_patch(f))
+        mark_patch(f);
+      else if(m_mesh.origin(f).kind == Face_origin::CHANNEL && parts_of_side(f, 2) > 1)
+        mark(f, 0);
+    mark_boundary_grading();
+    mark_extraordinary_points();
+    if(!has_marks())
+      mark_crossings();
+    return has_marks();
+  }
+
+  bool has_marks() const { return !m_marks.empty() || !m_boundary_marks.empty(); }
 
   void apply_marks()
   {
@@ -106,7 +122,6 @@ private:
       }
     }
     m_marks.clear();
-    m_mesh.update();
   }
 
   void split_boundary_edges()
@@ -134,13 +149,6 @@ private:
     return parts;
   }
 
-  void mark_channels()
-  {
-    for(Face f : m_mesh.mesh().faces())
-      if(m_mesh.origin(f).kind == Face_origin::CHANNEL && parts_of_side(f, 2) > 1)
-        mark(f, 0);
-  }
-
   void mark_boundary_grading()
   {
     for(Halfedge h : m_mesh.mesh().halfedges())
@@ -157,18 +165,14 @@ private:
       }
   }
 
-  void mark_patches()
+  void mark_patch(Face f)
   {
-    for(Face f : m_mesh.mesh().faces())
-      if(m_mesh.is_patch(f))
-      {
-        for(int axis = 0; axis < 2; ++axis)
-          if(size(f, axis) > maximum_aspect * size(f, 1 - axis))
-            mark(f, axis);
-        for(int side = 0; side < 4; ++side)
-          if(parts_of_side(f, side) > 2)
-            mark(f, side & 1);
-      }
+    for(int axis = 0; axis < 2; ++axis)
+      if(size(f, axis) > maximum_aspect * size(f, 1 - axis))
+        mark(f, axis);
+    for(int side = 0; side < 4; ++side)
+      if(parts_of_side(f, side) > 2)
+        mark(f, side & 1);
   }
 
   void mark_extraordinary_points()

@@ -48,7 +48,8 @@ struct Face_origin
 // face are marked at its halfedges, every edge has a length in ticks, and `halfedge(f)` is the
 // first halfedge of side 0 of the face `f`, whose local frame it defines.
 //
-// The part below "Frames" is a cache that `update()` brings up to date after splits.
+// The part below "Frames" is a cache that is brought up to date after splits: by `update_frames()`
+// as far as the splits reach, by `update()` as a whole.
 template <typename Point>
 class T_mesh
 {
@@ -90,6 +91,7 @@ public:
     m_offset = other.m_offset;
     m_direction = other.m_direction;
     m_star = other.m_star;
+    m_changed = other.m_changed;
     return *this;
   }
 
@@ -141,6 +143,9 @@ public:
     const bool is_corner_of_opposite = m_corner[o];
     const Point p = CGAL::midpoint(m_mesh.point(source(h)), m_mesh.point(target(h)));
     const bool starts_face = !is_border(h) && halfedge(face(h)) == h;
+    for(Halfedge side : {h, o})
+      if(!is_border(side))
+        m_changed.push_back(face(side));
     const Halfedge first = CGAL::Euler::split_edge(h, m_mesh);
     m_mesh.point(target(first)) = p;
     set_length(first, offset);
@@ -197,17 +202,48 @@ public:
     m_origin[f2] = r2;
     m_mesh.set_halfedge(f1, reference);
     m_mesh.set_halfedge(f2, axis == 0 ? next(h4) : h4);
+    m_changed.insert(m_changed.end(), {f1, f2});
     return {{f1, f2}};
   }
 
   /// \name Frames
-  /// valid after update()
+  /// valid after update(), all but the knot intervals after update_frames(), too
 
-  // brings the frames of faces and vertices and the knot intervals up to date
+  // brings the frames of all faces and vertices and the knot intervals up to date
   void update()
   {
-    compute_sides();
-    compute_stars();
+    m_changed.assign(m_mesh.faces().begin(), m_mesh.faces().end());
+    update_frames();
+    update_intervals();
+  }
+
+  // brings the frames of faces and vertices up to date, and returns the faces that have changed, in
+  // ascending order
+  std::vector<Face> update_frames()
+  {
+    m_side.resize(m_mesh.num_halfedges(), 0);
+    m_offset.resize(m_mesh.num_halfedges(), 0);
+    m_direction.resize(m_mesh.num_halfedges(), 0);
+    m_star.resize(m_mesh.num_vertices());
+    std::vector<Face> faces;
+    faces.swap(m_changed);
+    remove_duplicates(faces);
+    std::vector<Vertex> vertices;
+    for(Face f : faces)
+    {
+      update_sides(f);
+      for(Vertex v : m_mesh.vertices_around_face(halfedge(f)))
+        vertices.push_back(v);
+    }
+    remove_duplicates(vertices);
+    for(Vertex v : vertices)
+      update_star(v);
+    return faces;
+  }
+
+  // brings the knot intervals up to date; \pre the frames are
+  void update_intervals()
+  {
     for(Vertex v : m_mesh.vertices())
       if(!is_extraordinary(v))
         for(int d = 0; d < 4; ++d)
@@ -241,8 +277,7 @@ public:
         for(Halfedge g : m_mesh.halfedges_around_target(h))
           for(Vertex v : m_mesh.vertices_around_face(g))
             result.push_back(v);
-    std::sort(result.begin(), result.end());
-    result.erase(std::unique(result.begin(), result.end()), result.end());
+    remove_duplicates(result);
     return result;
   }
 
@@ -339,49 +374,47 @@ private:
     m_origin = m_mesh.template add_property_map<Face, Face_origin>("f:origin").first;
   }
 
-  void compute_sides()
+  template <typename Index>
+  static void remove_duplicates(std::vector<Index>& indices)
   {
-    m_side.assign(m_mesh.num_halfedges(), 0);
-    m_offset.assign(m_mesh.num_halfedges(), 0);
-    for(Face f : m_mesh.faces())
+    std::sort(indices.begin(), indices.end());
+    indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
+  }
+
+  void update_sides(Face f)
+  {
+    int side = 0;
+    Ticks offset = 0;
+    for(Halfedge h : m_mesh.halfedges_around_face(halfedge(f)))
     {
-      int side = 0;
-      Ticks offset = 0;
-      for(Halfedge h : m_mesh.halfedges_around_face(halfedge(f)))
+      m_side[h] = side;
+      m_offset[h] = offset;
+      offset += length(h);
+      if(m_corner[h])
       {
-        m_side[h] = side;
-        m_offset[h] = offset;
-        offset += length(h);
-        if(m_corner[h])
-        {
-          ++side;
-          offset = 0;
-        }
+        ++side;
+        offset = 0;
       }
     }
   }
 
-  void compute_stars()
+  void update_star(Vertex v)
   {
-    m_star.assign(m_mesh.num_vertices(), Star());
-    m_direction.assign(m_mesh.num_halfedges(), 0);
-    for(Vertex v : m_mesh.vertices())
+    Star star;
+    Halfedge first = opposite(m_mesh.halfedge(v));
+    Halfedge h = first;
+    do // at the boundary, begin with the edge that has no face to its right
     {
-      Star& star = m_star[v];
-      Halfedge first = opposite(m_mesh.halfedge(v));
-      Halfedge h = first;
-      do // at the boundary, begin with the edge that has no face to its right
+      if(is_border(opposite(h)))
       {
-        if(is_border(opposite(h)))
-        {
-          star.is_border = true;
-          first = h;
-        }
-        h = rotated(h);
+        star.is_border = true;
+        first = h;
       }
-      while(h != first && !star.is_border);
-      fill_star(star, first);
+      h = rotated(h);
     }
+    while(h != first && !star.is_border);
+    fill_star(star, first);
+    m_star[v] = star;
   }
 
   void fill_star(Star& star, Halfedge first)
@@ -511,6 +544,7 @@ private:
   std::vector<Ticks> m_offset;
   std::vector<int> m_direction;
   std::vector<Star> m_star;
+  std::vector<Face> m_changed; // faces whose frames are out of date
 };
 
 } // namespace internal
