@@ -41,7 +41,10 @@ struct Circle
   double arc_length(double x) const { return angle(x); } // the radius is one
   double speed(double x) const { return derivative(x).norm(); }
   Eigen::Vector3d curve_point(double s) const { return at(std::cos(s), std::sin(s)); }
-  Eigen::Vector3d curve_tangent(double s) const { return at(-std::sin(s), std::cos(s)); }
+  internal::Curve_foot curve_foot(double s) const
+  {
+    return {s, curve_point(s), at(-std::sin(s), std::cos(s))};
+  }
 };
 
 Chain_knots periodic_knots(int n)
@@ -221,12 +224,12 @@ struct Line_and_arc
     return Eigen::Vector3d((std::min)(s, end_of_line) + 0.8 * std::sin(angle(s)),
                            0.8 * (1 - std::cos(angle(s))), 0);
   }
-  Eigen::Vector3d curve_tangent(double s) const
+  internal::Curve_foot curve_foot(double s) const
   {
-    return Eigen::Vector3d(std::cos(angle(s)), std::sin(angle(s)), 0);
+    return {s, curve_point(s), Eigen::Vector3d(std::cos(angle(s)), std::sin(angle(s)), 0)};
   }
   Eigen::Vector3d point(double x) const { return curve_point(arc_length(x)); }
-  Eigen::Vector3d derivative(double x) const { return speed(x) * curve_tangent(arc_length(x)); }
+  Eigen::Vector3d derivative(double x) const { return speed(x) * curve_foot(arc_length(x)).tangent; }
 };
 
 // where short spans are needed, the spline runs along the curve about as fast as the target
@@ -235,10 +238,10 @@ void test_evenness()
   Line_and_arc curve;
   for(double tolerance : {1e-4, 1e-5})
   {
-    const Chain_knots knots = internal::plan_bisection(
-      open_knots(6), curve, SC::Error_metric::REPROJECTED, tolerance, 1e-4, 10000);
-    const Chain_fit fit
-      = internal::fit_chain(knots, curve, SC::Error_metric::REPROJECTED, tolerance);
+    const SC::Error_metric metric = SC::Error_metric::REPROJECTED;
+    const auto [knots, fit] = internal::plan_bisection(
+      {open_knots(6), internal::fit_chain(open_knots(6), curve, metric, tolerance)}, curve, metric,
+      tolerance, 1e-4, 10000);
     assert(fit.worst().bound < tolerance);
     const Cubic_spline_basis basis = knots.basis();
     for(int i = 0; i <= 3000; ++i)
@@ -257,11 +260,11 @@ void test_number_of_segments()
   const Circle circle{16};
   internal::Cached_curve_target<Circle> target(circle);
   const double tolerance = 1e-6 * std::sqrt(8.);
-  const Chain_knots knots
-    = internal::plan_bisection(periodic_knots(16), target, SC::Error_metric::PARAMETRIC, tolerance,
-                               1e-3, 10000);
+  const auto [knots, fit]
+    = internal::plan_bisection({periodic_knots(16), internal::fit_chain(periodic_knots(16), target)},
+                               target, SC::Error_metric::PARAMETRIC, tolerance, 1e-3, 10000);
   assert(knots.knots.size() == 32);
-  assert(dense_error(knots, internal::fit_chain(knots, target), circle) < tolerance);
+  assert(dense_error(knots, fit, circle) < tolerance);
 }
 
 void test_balance()

@@ -18,6 +18,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace SC = CGAL::Surface_mesh_spline_conversion;
@@ -98,6 +99,11 @@ struct Bilinear_target
   {
     const double x = parameter(chain, s);
     return curve_derivative(chain, x, 1) / speed(chain, x);
+  }
+
+  std::pair<Point, Vector> point_and_tangent(std::size_t chain, double s) const
+  {
+    return {point(chain, s), derivative(chain, s, 1)};
   }
 
   Point point(std::size_t quad, double u, double v) const

@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 // a function z(x,y) and its gradient
@@ -120,6 +121,10 @@ public:
   Vector_3 derivative(std::size_t chain, FT t, int order) const
   {
     return curve_derivative(chain, t, order);
+  }
+  std::pair<Point_3, Vector_3> point_and_tangent(std::size_t chain, FT t) const
+  {
+    return {point(chain, t), derivative(chain, t, 1)};
   }
 
 private:

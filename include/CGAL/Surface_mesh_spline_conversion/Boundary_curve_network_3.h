@@ -39,6 +39,7 @@
 #include <limits>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -306,6 +307,15 @@ public:
   {
     const auto position = locate_parameter(c, s);
     return oriented_segment(c, position.edge).derivative(position.parameter, order);
+  }
+
+  /// returns the point and the unit tangent at the arc length `s` of chain `c`, which is searched
+  /// for once only.
+  std::pair<Point_3, Vector_3> point_and_tangent(size_type c, const FT& s) const
+  {
+    const auto position = locate_parameter(c, s);
+    const Oriented_segment segment = oriented_segment(c, position.edge);
+    return {segment.point(position.parameter), segment.derivative(position.parameter, 1)};
   }
 
   /// returns the arc length modulo the length of a closed chain, clamped to the others.

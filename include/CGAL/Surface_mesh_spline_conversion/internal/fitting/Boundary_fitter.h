@@ -73,9 +73,10 @@ class Boundary_fitter
       return to_eigen(target->network().point(chain, FT(s)));
     }
 
-    Eigen::Vector3d curve_tangent(double s) const
+    Curve_foot curve_foot(double s) const
     {
-      return to_eigen(target->network().derivative(chain, FT(s), 1));
+      const auto [point, tangent] = target->network().point_and_tangent(chain, FT(s));
+      return {s, to_eigen(point), to_eigen(tangent)};
     }
   };
 
@@ -126,11 +127,12 @@ private:
   // there come from the input
   static constexpr double shortest_span = 1. / 16384;
 
-  // the fit of a chain on the knots of the surface, and its errors at equal parameters
-  struct Fitted_chain
+  // the fit of a chain on the knots that the surface has or shall have, and its errors at equal
+  // parameters
+  struct Measured_chain
   {
-    Chain_knots knots;
-    Chain_fit fit;
+    Fitted_chain chain;
+    bool is_measured = false;
     double parametric_deviation = 0;
     Error_parts parametric_parts;
   };
@@ -202,15 +204,16 @@ private:
     {
       if(m_target.number_of_sides(c) == 0)
         continue;
-      if(!m_chains[c].fit.is_solved)
+      const Measured_chain& measured = m_chains[c];
+      if(!measured.chain.fit.is_solved)
       {
         m_worst_chain = c;
         return false;
       }
-      set_control_points(c, m_chains[c].fit.polygon);
-      m_parametric_deviation = (std::max)(m_parametric_deviation, m_chains[c].parametric_deviation);
-      m_parametric_parts.add(m_chains[c].parametric_parts);
-      const Span_error worst = m_chains[c].fit.worst();
+      set_control_points(c, measured.chain.fit.polygon);
+      m_parametric_deviation = (std::max)(m_parametric_deviation, measured.parametric_deviation);
+      m_parametric_parts.add(measured.parametric_parts);
+      const Span_error worst = measured.chain.fit.worst();
       m_is_met[c] = worst.bound < m_options.goal;
       if(worst.bound > m_worst.bound)
       {
@@ -221,24 +224,25 @@ private:
     return true;
   }
 
-  void fit(size_type chain, Fitted_chain& result)
+  void fit(size_type chain, Measured_chain& result)
   {
     if(m_target.number_of_sides(chain) == 0)
       return;
     const Chain_knots chain_knots = knots(chain);
-    if(result.fit.is_solved && chain_knots.knots == result.knots.knots)
-      return;
-    result = Fitted_chain();
-    result.knots = chain_knots;
-    result.fit = fit_chain(chain_knots, m_curves[chain], m_options.error_metric, m_options.goal);
-    if(result.fit.is_solved)
-      measure_parametric_deviation(chain, chain_knots.basis(), result);
+    if(!result.chain.fit.is_solved || chain_knots.knots != result.chain.knots.knots)
+    {
+      result = Measured_chain();
+      result.chain = {chain_knots, fit_chain(chain_knots, m_curves[chain], m_options.error_metric,
+                                             m_options.goal)};
+    }
+    if(result.chain.fit.is_solved && !result.is_measured)
+      measure_parametric_deviation(chain, result);
   }
 
-  void measure_parametric_deviation(size_type chain, const Cubic_spline_basis& basis,
-                                    Fitted_chain& result)
+  void measure_parametric_deviation(size_type chain, Measured_chain& result)
   {
-    const Control_polygon& polygon = result.fit.polygon;
+    const Cubic_spline_basis basis = result.chain.knots.basis();
+    const Control_polygon& polygon = result.chain.fit.polygon;
     for(size_type span = 0; span < basis.number_of_spans(); ++span)
     {
       const double begin = basis.span_begin(span), length = basis.span_end(span) - begin;
@@ -248,6 +252,7 @@ private:
                      spline_error(basis, polygon, samples, span).sampled);
       result.parametric_parts.add(error_parts(basis, polygon, samples, span));
     }
+    result.is_measured = true;
   }
 
   void set_control_points(size_type chain, const Control_polygon& polygon)
@@ -263,17 +268,20 @@ private:
   // `false` if nothing can be refined
   bool refine()
   {
-    std::vector<Chain_knots> plans(m_curves.size());
     for_each_index(m_curves.size(), [&](size_type c)
     {
-      if(!m_is_met[c])
-        plans[c] = plan_bisection(knots(c), m_curves[c], m_options.error_metric, m_options.goal,
-                                  shortest_span, m_options.maximum_number_of_patches);
+      if(m_is_met[c])
+        return;
+      Measured_chain plan;
+      plan.chain = plan_bisection(std::move(m_chains[c].chain), m_curves[c],
+                                  m_options.error_metric, m_options.goal, shortest_span,
+                                  m_options.maximum_number_of_patches);
+      m_chains[c] = std::move(plan);
     });
     bool is_refined = false;
     for(;;)
     {
-      const auto spans = spans_to_bisect(plans);
+      const auto spans = spans_to_bisect();
       if(spans.empty() || m_surface.number_of_patches() >= m_options.maximum_number_of_patches)
         return is_refined;
       const size_type size = m_surface.number_of_control_points();
@@ -285,11 +293,10 @@ private:
   }
 
   // returns the spans of the surface that have a planned knot inside
-  std::vector<typename Surface::Boundary_span>
-  spans_to_bisect(const std::vector<Chain_knots>& plans) const
+  std::vector<typename Surface::Boundary_span> spans_to_bisect() const
   {
     std::vector<typename Surface::Boundary_span> spans;
-    for(size_type c = 0; c < plans.size(); ++c)
+    for(size_type c = 0; c < m_chains.size(); ++c)
     {
       if(m_is_met[c])
         continue;
@@ -297,8 +304,9 @@ private:
       for(size_type span = 0; span < basis.number_of_spans(); ++span)
       {
         const double begin = basis.span_begin(span), end = basis.span_end(span);
-        auto it = std::upper_bound(plans[c].knots.begin(), plans[c].knots.end(), begin);
-        if(it != plans[c].knots.end() && *it < end)
+        const std::vector<double>& planned = m_chains[c].chain.knots.knots;
+        const auto it = std::upper_bound(planned.begin(), planned.end(), begin);
+        if(it != planned.end() && *it < end)
           spans.push_back({c, begin, end});
       }
     }
@@ -340,7 +348,7 @@ private:
   Conversion_report& m_report;
   std::vector<Cached_curve_target<Chain_target> > m_curves;
   std::vector<std::vector<double> > m_joints; // of each chain
-  std::vector<Fitted_chain> m_chains;
+  std::vector<Measured_chain> m_chains;
   std::vector<bool> m_is_met; // per chain: has it reached the goal?
   Span_error m_worst;
   double m_parametric_deviation = 0;

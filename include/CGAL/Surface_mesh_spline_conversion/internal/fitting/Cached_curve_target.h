@@ -11,6 +11,8 @@
 
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
+#include <CGAL/Surface_mesh_spline_conversion/internal/fitting/Span_samples.h>
+
 #include <Eigen/Core>
 
 #include <unordered_map>
@@ -47,7 +49,7 @@ public:
   double arc_length(double x) const { return m_target.arc_length(x); }
   double speed(double x) const { return m_target.speed(x); }
   Eigen::Vector3d curve_point(double s) const { return m_target.curve_point(s); }
-  Eigen::Vector3d curve_tangent(double s) const { return m_target.curve_tangent(s); }
+  Curve_foot curve_foot(double s) const { return m_target.curve_foot(s); }
 
 private:
   CurveTarget m_target;

@@ -24,6 +24,13 @@ namespace CGAL {
 namespace Surface_mesh_spline_conversion {
 namespace internal {
 
+// a place on a curve, with the unit tangent there
+struct Curve_foot
+{
+  double arc_length;
+  Eigen::Vector3d point, tangent;
+};
+
 // The points of a curve that are compared with those of a spline over one span, cut in equal
 // pieces: at the ends of the pieces with the derivative with respect to the parameter of the
 // spline, and in their middle.
@@ -52,15 +59,15 @@ Span_samples sample_at_equal_parameters(double begin, double length, CurveTarget
   return result;
 }
 
-// Moves the arc length `s` to the point of the curve closest to `p`. The steps leave out the
-// curvature of the curve, which is small against the inverse of the distance.
+// Moves a foot along the curve to the point closest to `p`. The steps leave out the curvature of the
+// curve, which is small against the inverse of the distance.
 template <typename CurveTarget>
-double closest_arc_length(const Eigen::Vector3d& p, double s, CurveTarget& target)
+Curve_foot closest_foot(const Eigen::Vector3d& p, Curve_foot foot, CurveTarget& target)
 {
   constexpr int number_of_steps = 3;
   for(int i = 0; i < number_of_steps; ++i)
-    s += (p - target.curve_point(s)).dot(target.curve_tangent(s));
-  return s;
+    foot = target.curve_foot(foot.arc_length + (p - foot.point).dot(foot.tangent));
+  return foot;
 }
 
 // Samples a curve at the points that are closest to those of a spline.
@@ -93,15 +100,16 @@ public:
       const double x = begin + length * (double(i) / double(n));
       const Cubic_spline_basis::Values values = m_basis.values(span, x);
       const double s = m_target.arc_length(x), speed = m_target.speed(x);
-      arc_length[i] = closest_arc_length(evaluate(values, m_polygon, 0), s + shift, m_target);
+      const Curve_foot foot = closest_foot(evaluate(values, m_polygon, 0),
+                                           m_target.curve_foot(s + shift), m_target);
+      arc_length[i] = foot.arc_length;
       shift = arc_length[i] - s;
-      const Eigen::Vector3d tangent = m_target.curve_tangent(arc_length[i]);
-      slope[i] = evaluate(values, m_polygon, 1).dot(tangent);
+      slope[i] = evaluate(values, m_polygon, 1).dot(foot.tangent);
       if(!(std::abs(shift) <= largest_shift * speed)
          || !(slope[i] >= slowest * speed && slowest * slope[i] <= speed))
         return false;
-      samples.point[i] = m_target.curve_point(arc_length[i]);
-      samples.derivative[i] = slope[i] * tangent;
+      samples.point[i] = foot.point;
+      samples.derivative[i] = slope[i] * foot.tangent;
     }
     for(std::size_t i = 0; i < n; ++i)
     {

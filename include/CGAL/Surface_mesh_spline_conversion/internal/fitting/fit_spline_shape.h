@@ -57,12 +57,11 @@ public:
   // improves `polygon`, a fit at equal parameters; returns `false` if the linear system is singular
   bool operator()(Control_polygon& polygon)
   {
-    constexpr int number_of_steps = 6;
+    constexpr int number_of_steps = 3; // further ones change nothing that counts
     for(int i = 0; i < number_of_steps; ++i)
     {
       for(Sample& sample : m_samples)
-        sample.arc_length = closest_arc_length(evaluate(sample.values, polygon, 0),
-                                               sample.arc_length, m_target);
+        sample.foot = closest_foot(evaluate(sample.values, polygon, 0), sample.foot, m_target);
       if(!step(polygon))
         return false;
     }
@@ -74,7 +73,8 @@ private:
   {
     Cubic_spline_basis::Values values;
     double weight, tangential_weight;
-    double arc_length, first_arc_length; // of the closest point, and at the same parameter
+    double first_arc_length; // at the same parameter
+    Curve_foot foot;
   };
 
   // an unknown, and what it adds to the point of a sample
@@ -90,7 +90,7 @@ private:
         const double x = begin + length * (double(k) / 4);
         const double s = m_target.arc_length(x);
         m_samples.push_back({m_basis.values(span, x), boole_weights[k] * length,
-                             (std::min)(1., m_tangential_weight / (length * length)), s, s});
+                             (std::min)(1., m_tangential_weight / (length * length)), s, m_target.curve_foot(s)});
       }
     }
   }
@@ -151,13 +151,13 @@ private:
     Eigen::VectorXd right_hand_side = Eigen::VectorXd::Zero(n);
     for(const Sample& sample : m_samples)
     {
-      const Eigen::Vector3d tangent = m_target.curve_tangent(sample.arc_length);
+      const Eigen::Vector3d& tangent = sample.foot.tangent;
       const Eigen::Matrix3d weight
         = sample.weight * (Eigen::Matrix3d::Identity()
                            - (1 - sample.tangential_weight) * tangent * tangent.transpose());
       const Eigen::Vector3d residual
-        = weight * (m_target.curve_point(sample.arc_length)
-                    + (sample.first_arc_length - sample.arc_length) * tangent
+        = weight * (sample.foot.point
+                    + (sample.first_arc_length - sample.foot.arc_length) * tangent
                     - evaluate(sample.values, polygon, 0));
       const std::vector<Term> row = terms(sample.values, polygon);
       for(const Term& a : row)

@@ -229,33 +229,39 @@ Chain_fit fit_chain(const Chain_knots& knots, CurveTarget& target, Error_metric 
   return fit_chain_shape(knots, result, target);
 }
 
-// Returns knots on which the bound of the error is below the tolerance, by bisection of the spans
-// where it is not; gives up at `maximum_number_of_spans`, or where spans would become shorter than
-// `shortest_span`.
+// knots and the fit on them
+struct Fitted_chain
+{
+  Chain_knots knots;
+  Chain_fit fit;
+};
+
+// Returns knots on which the bound of the error is below the tolerance, with the fit there, by
+// bisection of the spans where it is not; gives up at `maximum_number_of_spans`, where spans would
+// become shorter than `shortest_span`, or where there is no fit.
 template <typename CurveTarget>
-Chain_knots plan_bisection(Chain_knots chain, CurveTarget& target, Error_metric metric,
-                           double tolerance, double shortest_span,
-                           std::size_t maximum_number_of_spans)
+Fitted_chain plan_bisection(Fitted_chain chain, CurveTarget& target, Error_metric metric,
+                            double tolerance, double shortest_span,
+                            std::size_t maximum_number_of_spans)
 {
   // spans with a much smaller error than the worst one wait: it is often the one beside them that
   // disturbs them
   constexpr double share_of_worst = 1. / 16;
-  for(;;)
+  while(chain.fit.is_solved)
   {
-    const Chain_fit fit = fit_chain(chain, target, metric, tolerance);
-    if(!fit.is_solved)
-      return chain;
-    const double threshold = (std::max)(tolerance, share_of_worst * fit.worst().bound);
+    const double threshold = (std::max)(tolerance, share_of_worst * chain.fit.worst().bound);
     std::vector<int> levels;
-    for(const Span_error& error : fit.errors)
+    for(const Span_error& error : chain.fit.errors)
       levels.push_back(error.bound < threshold
                        ? 0 : number_of_bisections(error.bound, tolerance, metric));
-    Chain_knots finer = Chain_bisection(chain, shortest_span)(levels);
-    if(finer.knots.size() == chain.knots.size()
+    Chain_knots finer = Chain_bisection(chain.knots, shortest_span)(levels);
+    if(finer.knots.size() == chain.knots.knots.size()
        || finer.knots.size() > maximum_number_of_spans)
-      return chain;
-    chain = std::move(finer);
+      break;
+    chain.fit = fit_chain(finer, target, metric, tolerance);
+    chain.knots = std::move(finer);
   }
+  return chain;
 }
 
 } // namespace internal
