@@ -90,7 +90,8 @@ private:
         const double x = begin + length * (double(k) / 4);
         const double s = m_target.arc_length(x);
         m_samples.push_back({m_basis.values(span, x), boole_weights[k] * length,
-                             (std::min)(1., m_tangential_weight / (length * length)), s, m_target.curve_foot(s)});
+                             (std::min)(1., m_tangential_weight / (length * length)), s,
+                             m_target.curve_foot(s)});
       }
     }
   }
