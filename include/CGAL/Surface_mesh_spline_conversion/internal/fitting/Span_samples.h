@@ -59,29 +59,26 @@ Span_samples sample_at_equal_parameters(double begin, double length, CurveTarget
   return result;
 }
 
-// Moves a foot along the curve to the point closest to `p`. The steps leave out the curvature of the
-// curve, which is small against the inverse of the distance.
+// Moves a foot along the curve towards the point closest to `p`. What is left of the way is the
+// curvature of the curve times the distance, which is small.
 template <typename CurveTarget>
-Curve_foot closest_foot(const Eigen::Vector3d& p, Curve_foot foot, CurveTarget& target)
+Curve_foot closer_foot(const Eigen::Vector3d& p, const Curve_foot& foot, CurveTarget& target)
 {
-  constexpr int number_of_steps = 3;
-  for(int i = 0; i < number_of_steps; ++i)
-    foot = target.curve_foot(foot.arc_length + (p - foot.point).dot(foot.tangent));
-  return foot;
+  return target.curve_foot(foot.arc_length + (p - foot.point).dot(foot.tangent));
 }
 
-// Samples a curve at the points that are closest to those of a spline.
+// Samples a curve next to the points of a spline.
 //
-// The closest points are taken at the ends of the pieces; in between, the arc length is the cubic
-// polynomial with the values and slopes there. Where it increases, the spline and the curve are
-// compared along a continuous one-to-one correspondence, so that a bound of their distances is a
-// bound of the Hausdorff distance, whatever points are chosen.
+// At the ends of the pieces, points are taken that are closest to those of the spline, but for one
+// more step; in between, the arc length is the cubic polynomial with the values and slopes there.
+// Where it increases, the spline and the curve are compared along a continuous one-to-one
+// correspondence, so that a bound of their distances is a bound of the Hausdorff distance, whatever
+// points are chosen.
 template <typename CurveTarget>
-class Closest_point_sampler
+class Foot_sampler
 {
 public:
-  Closest_point_sampler(const Cubic_spline_basis& basis, const Control_polygon& polygon,
-                        CurveTarget& target)
+  Foot_sampler(const Cubic_spline_basis& basis, const Control_polygon& polygon, CurveTarget& target)
     : m_basis(basis), m_polygon(polygon), m_target(target)
   {}
 
@@ -100,8 +97,8 @@ public:
       const double x = begin + length * (double(i) / double(n));
       const Cubic_spline_basis::Values values = m_basis.values(span, x);
       const double s = m_target.arc_length(x), speed = m_target.speed(x);
-      const Curve_foot foot = closest_foot(evaluate(values, m_polygon, 0),
-                                           m_target.curve_foot(s + shift), m_target);
+      const Curve_foot foot = closer_foot(evaluate(values, m_polygon, 0),
+                                          m_target.curve_foot(s + shift), m_target);
       arc_length[i] = foot.arc_length;
       shift = arc_length[i] - s;
       slope[i] = evaluate(values, m_polygon, 1).dot(foot.tangent);

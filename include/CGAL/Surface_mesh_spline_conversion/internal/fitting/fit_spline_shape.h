@@ -61,7 +61,7 @@ public:
     for(int i = 0; i < number_of_steps; ++i)
     {
       for(Sample& sample : m_samples)
-        sample.foot = closest_foot(evaluate(sample.values, polygon, 0), sample.foot, m_target);
+        sample.foot = closer_foot(evaluate(sample.values, polygon, 0), sample.foot, m_target);
       if(!step(polygon))
         return false;
     }

@@ -202,7 +202,7 @@ Chain_fit fit_chain_shape(const Chain_knots& knots, const Chain_fit& start, Curv
     Chain_fit result = start;
     if(!Spline_shape_fitter<CurveTarget>(basis, knots.joints, target, weight)(result.polygon))
       continue;
-    const Closest_point_sampler<CurveTarget> sampler(basis, result.polygon, target);
+    const Foot_sampler<CurveTarget> sampler(basis, result.polygon, target);
     Span_samples samples;
     bool is_admissible = true;
     for(std::size_t span = 0; span < basis.number_of_spans() && is_admissible; ++span)
