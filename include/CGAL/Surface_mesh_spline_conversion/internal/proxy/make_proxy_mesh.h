@@ -25,6 +25,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <memory>
 #include <queue>
@@ -247,30 +248,68 @@ private:
     for(int f = 0; f < proxy.mesh.number_of_faces(); ++f)
       faces.push_back(f);
     Defects defects = find_defects(proxy, faces);
-    for(const bool do_unfold : {false, true, true})
+    if(can_cure(proxy, defects, largest_share))
     {
-      const double share = do_unfold ? largest_share_to_unfold : largest_share;
-      if(defects.folded.empty() || defects.folded.size() > share * proxy.mesh.number_of_faces())
-        break;
       Proxy_mesh candidate = proxy;
-      if(do_unfold)
-        unfold(candidate, defects);
-      else
-        cure_folds(candidate, defects, [&candidate](const Defects& present)
-          { smooth_directions(candidate, present.folded); });
-      Defects remaining = find_defects(candidate, faces);
-      if(remaining.folded.size() >= defects.folded.size())
-        continue;
-      defects = std::move(remaining);
-      proxy = std::move(candidate);
+      const std::size_t remaining = cure_folds(candidate, defects,
+        [&candidate](const Defects& present) { smooth_directions(candidate, present.folded); });
+      if(remaining < defects.folded.size())
+        keep_if_better(candidate, faces_to_check(proxy, candidate, defects), proxy, defects);
+    }
+    const int most_rounds = 2;
+    for(int i = 0; i < most_rounds && can_cure(proxy, defects, largest_share_to_unfold); ++i)
+    {
+      Proxy_mesh candidate = proxy;
+      // where it fails once, it does so again
+      if(!(unfold(candidate, defects) < defects.folded.size())
+         || !keep_if_better(candidate, faces, proxy, defects))
+        break;
     }
     defects.uncovered = uncovered_vertices(proxy);
     return defects;
   }
 
-  // Applies `cure(defects)` a few times, to what is left.
+  static bool can_cure(const Proxy_mesh& proxy, const Defects& defects, double largest_share)
+  {
+    return !defects.folded.empty()
+           && defects.folded.size() <= largest_share * proxy.mesh.number_of_faces();
+  }
+
+  // Replaces a proxy and its defects if the other one has fewer folded faces. `faces`, sorted: those
+  // to check, among them all folded ones; the others are as before.
+  static bool keep_if_better(Proxy_mesh& candidate, const std::vector<int>& faces,
+                             Proxy_mesh& proxy, Defects& defects)
+  {
+    Defects remaining = find_defects(candidate, faces);
+    if(remaining.folded.size() >= defects.folded.size())
+      return false;
+    std::set_difference(defects.torn.begin(), defects.torn.end(), faces.begin(), faces.end(),
+                        std::back_inserter(remaining.torn));
+    defects = std::move(remaining);
+    proxy = std::move(candidate);
+    return true;
+  }
+
+  // the folded faces, and those at which directions have changed, sorted
+  static std::vector<int> faces_to_check(const Proxy_mesh& before, const Proxy_mesh& after,
+                                         const Defects& defects)
+  {
+    std::vector<int> faces = defects.folded;
+    for(int f = 0; f < after.mesh.number_of_faces(); ++f)
+      for(const int v : after.mesh.triangles[f])
+        if(after.normal[v] != before.normal[v])
+        {
+          faces.push_back(f);
+          break;
+        }
+    sort_and_unify(faces);
+    return faces;
+  }
+
+  // Applies `cure(defects)` a few times, to what is left. Returns how many faces near the present
+  // ones are folded in the end: there are no fewer in all.
   template <typename Cure>
-  static void cure_folds(const Proxy_mesh& proxy, Defects defects, const Cure& cure)
+  static std::size_t cure_folds(const Proxy_mesh& proxy, Defects defects, const Cure& cure)
   {
     const int rounds = 8;
     const std::size_t most_folds = 2 * defects.folded.size();
@@ -279,14 +318,15 @@ private:
       cure(defects);
       defects = find_defects(proxy, faces_around(proxy.mesh, defects.folded));
     }
+    return defects.folded.size();
   }
 
-  // Unfolds the original, and lets the proxy follow.
-  void unfold(Proxy_mesh& proxy, const Defects& defects) const
+  // Unfolds the original, and lets the proxy follow. Returns what `cure_folds()` does.
+  std::size_t unfold(Proxy_mesh& proxy, const Defects& defects) const
   {
     Surface_unfolder unfolder(m_original, *proxy.unfolded);
     proxy.unfolded = unfolder.mesh();
-    cure_folds(proxy, defects, [&](const Defects& present)
+    return cure_folds(proxy, defects, [&](const Defects& present)
     {
       unfolder.unfold(present.folded_original);
       follow_unfolded(proxy, present.folded);
