@@ -224,11 +224,10 @@ private:
     direction = start;
   }
 
-  // faces of the proxy, faces of the original below the folded ones, and vertices of the original
-  // that belong to no face of the proxy
+  // faces of the proxy, and vertices of the original that belong to no face of the proxy
   struct Defects
   {
-    std::vector<int> folded, torn, folded_original, uncovered;
+    std::vector<int> folded, torn, uncovered;
   };
 
   static bool is_acceptable(const Proxy_mesh& proxy, const Defects& defects)
@@ -328,7 +327,7 @@ private:
     proxy.unfolded = unfolder.mesh();
     return cure_folds(proxy, defects, [&](const Defects& present)
     {
-      unfolder.unfold(present.folded_original);
+      unfolder.unfold(faces_below(proxy, present.folded));
       follow_unfolded(proxy, present.folded);
     });
   }
@@ -399,13 +398,23 @@ private:
     Defects defects;
     for(const int f : faces)
     {
-      if(fold_check.is_folded(f, defects.folded_original))
+      if(fold_check.is_folded(f))
         defects.folded.push_back(f);
       if(is_torn(proxy, projection, f))
         defects.torn.push_back(f);
     }
-    sort_and_unify(defects.folded_original);
     return defects;
+  }
+
+  // the faces of the original at which the projection of some folded faces has its folds, sorted
+  static std::vector<int> faces_below(const Proxy_mesh& proxy, const std::vector<int>& folded)
+  {
+    Projection_fold_check fold_check(proxy);
+    std::vector<int> below;
+    for(const int f : folded)
+      fold_check.append_folded(f, below);
+    sort_and_unify(below);
+    return below;
   }
 
   // Are the images of some small triangles of a face much larger or far away?
