@@ -246,89 +246,86 @@ private:
     std::vector<int> faces;
     for(int f = 0; f < proxy.mesh.number_of_faces(); ++f)
       faces.push_back(f);
-    Defects defects = find_defects(proxy, faces);
-    if(can_cure(proxy, defects, largest_share))
+    std::vector<int> folded = folded_faces(proxy, faces);
+    if(can_cure(proxy, folded, largest_share))
     {
       Proxy_mesh candidate = proxy;
-      const std::size_t remaining = cure_folds(candidate, defects,
-        [&candidate](const Defects& present) { smooth_directions(candidate, present.folded); });
-      if(remaining < defects.folded.size())
-        keep_if_better(candidate, faces_to_check(proxy, candidate, defects), proxy, defects);
+      const std::size_t remaining = cure_folds(candidate, folded,
+        [&candidate](const std::vector<int>& present) { smooth_directions(candidate, present); });
+      if(remaining < folded.size())
+        keep_if_better(candidate, faces_to_check(proxy, candidate, folded), proxy, folded);
     }
     const int most_rounds = 2;
-    for(int i = 0; i < most_rounds && can_cure(proxy, defects, largest_share_to_unfold); ++i)
+    for(int i = 0; i < most_rounds && can_cure(proxy, folded, largest_share_to_unfold); ++i)
     {
       Proxy_mesh candidate = proxy;
       // where it fails once, it does so again
-      if(!(unfold(candidate, defects) < defects.folded.size())
-         || !keep_if_better(candidate, faces, proxy, defects))
+      if(unfold(candidate, folded) >= folded.size()
+         || !keep_if_better(candidate, faces, proxy, folded))
         break;
     }
-    defects.uncovered = uncovered_vertices(proxy);
-    return defects;
+    return Defects{folded, torn_faces(proxy), uncovered_vertices(proxy)};
   }
 
-  static bool can_cure(const Proxy_mesh& proxy, const Defects& defects, double largest_share)
+  static bool can_cure(const Proxy_mesh& proxy, const std::vector<int>& folded,
+                       double largest_share)
   {
-    return !defects.folded.empty()
-           && defects.folded.size() <= largest_share * proxy.mesh.number_of_faces();
+    return !folded.empty() && folded.size() <= largest_share * proxy.mesh.number_of_faces();
   }
 
-  // Replaces a proxy and its defects if the other one has fewer folded faces. `faces`, sorted: those
-  // to check, among them all folded ones; the others are as before.
+  // Replaces a proxy and its folded faces if the other one has fewer. `faces`: those of the other
+  // one that may be folded
   static bool keep_if_better(Proxy_mesh& candidate, const std::vector<int>& faces,
-                             Proxy_mesh& proxy, Defects& defects)
+                             Proxy_mesh& proxy, std::vector<int>& folded)
   {
-    Defects remaining = find_defects(candidate, faces);
-    if(remaining.folded.size() >= defects.folded.size())
+    std::vector<int> remaining = folded_faces(candidate, faces);
+    if(remaining.size() >= folded.size())
       return false;
-    std::set_difference(defects.torn.begin(), defects.torn.end(), faces.begin(), faces.end(),
-                        std::back_inserter(remaining.torn));
-    defects = std::move(remaining);
+    folded = std::move(remaining);
     proxy = std::move(candidate);
     return true;
   }
 
   // the folded faces, and those at which directions have changed, sorted
   static std::vector<int> faces_to_check(const Proxy_mesh& before, const Proxy_mesh& after,
-                                         const Defects& defects)
+                                         const std::vector<int>& folded)
   {
-    std::vector<int> faces = defects.folded;
+    std::vector<int> faces = folded;
     for(int f = 0; f < after.mesh.number_of_faces(); ++f)
-      for(const int v : after.mesh.triangles[f])
-        if(after.normal[v] != before.normal[v])
-        {
-          faces.push_back(f);
-          break;
-        }
+    {
+      const std::array<int, 3>& t = after.mesh.triangles[f];
+      if(std::any_of(t.begin(), t.end(), [&before, &after](int v)
+         { return after.normal[v] != before.normal[v]; }))
+        faces.push_back(f);
+    }
     sort_and_unify(faces);
     return faces;
   }
 
-  // Applies `cure(defects)` a few times, to what is left. Returns how many faces near the present
+  // Applies `cure(folded)` a few times, to what is left. Returns how many faces near the present
   // ones are folded in the end: there are no fewer in all.
   template <typename Cure>
-  static std::size_t cure_folds(const Proxy_mesh& proxy, Defects defects, const Cure& cure)
+  static std::size_t cure_folds(const Proxy_mesh& proxy, std::vector<int> folded, const Cure& cure)
   {
     const int rounds = 8;
-    const std::size_t most_folds = 2 * defects.folded.size();
-    for(int i = 0; i < rounds && !defects.folded.empty() && defects.folded.size() <= most_folds; ++i)
+    const std::size_t most_folds = 2 * folded.size();
+    for(int i = 0; i < rounds && !folded.empty() && folded.size() <= most_folds; ++i)
     {
-      cure(defects);
-      defects = find_defects(proxy, faces_around(proxy.mesh, defects.folded));
+      cure(folded);
+      folded = folded_faces(proxy, faces_around(proxy.mesh, folded));
     }
-    return defects.folded.size();
+    return folded.size();
   }
 
   // Unfolds the original, and lets the proxy follow. Returns what `cure_folds()` does.
-  std::size_t unfold(Proxy_mesh& proxy, const Defects& defects) const
+  std::size_t unfold(Proxy_mesh& proxy, const std::vector<int>& folded) const
   {
     Surface_unfolder unfolder(m_original, *proxy.unfolded);
     proxy.unfolded = unfolder.mesh();
-    return cure_folds(proxy, defects, [&](const Defects& present)
+    return cure_folds(proxy, folded, [&](const std::vector<int>& present)
     {
-      unfolder.unfold(faces_below(proxy, present.folded));
-      follow_unfolded(proxy, present.folded);
+      unfolder.unfold(faces_below(proxy, present));
+      follow_unfolded(proxy, present);
     });
   }
 
@@ -391,19 +388,14 @@ private:
     values.erase(std::unique(values.begin(), values.end()), values.end());
   }
 
-  static Defects find_defects(const Proxy_mesh& proxy, const std::vector<int>& faces)
+  // those of some faces that may be folded
+  static std::vector<int> folded_faces(const Proxy_mesh& proxy, const std::vector<int>& faces)
   {
-    const Proxy_projection projection(proxy);
     Projection_fold_check fold_check(proxy);
-    Defects defects;
-    for(const int f : faces)
-    {
-      if(fold_check.is_folded(f))
-        defects.folded.push_back(f);
-      if(is_torn(proxy, projection, f))
-        defects.torn.push_back(f);
-    }
-    return defects;
+    std::vector<int> folded;
+    std::copy_if(faces.begin(), faces.end(), std::back_inserter(folded),
+                 [&fold_check](int f) { return fold_check.is_folded(f); });
+    return folded;
   }
 
   // the faces of the original at which the projection of some folded faces has its folds, sorted
@@ -415,6 +407,16 @@ private:
       fold_check.append_folded(f, below);
     sort_and_unify(below);
     return below;
+  }
+
+  static std::vector<int> torn_faces(const Proxy_mesh& proxy)
+  {
+    const Proxy_projection projection(proxy);
+    std::vector<int> torn;
+    for(int f = 0; f < proxy.mesh.number_of_faces(); ++f)
+      if(is_torn(proxy, projection, f))
+        torn.push_back(f);
+    return torn;
   }
 
   // Are the images of some small triangles of a face much larger or far away?
