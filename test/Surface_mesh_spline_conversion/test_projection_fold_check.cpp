@@ -77,8 +77,15 @@ std::vector<int> folded_faces(const Proxy_mesh& proxy, std::vector<int>& below)
   std::vector<int> faces;
   internal::Projection_fold_check check(proxy);
   for(int f = 0; f < proxy.mesh.number_of_faces(); ++f)
-    if(check.is_folded(f, below))
+  {
+    const std::size_t before = below.size();
+    check.append_folded(f, below);
+    const bool is_some_below = below.size() > before;
+    if(check.is_folded(f))
       faces.push_back(f);
+    else
+      assert(!is_some_below);
+  }
   return faces;
 }
 

@@ -46,14 +46,22 @@ public:
   {}
 
   // May the projection of face `f` of the proxy have a fold? None is missed; one that is all but
-  // folded counts as folded. Appends the faces of the mesh at which that is so, at least the first
-  // ones; none if the face of the proxy is itself turned against the directions at its corners.
-  bool is_folded(int f, std::vector<int>& faces)
+  // folded counts as folded.
+  bool is_folded(int f)
   {
-    bool result = false;
+    const std::vector<Prism> parts = prisms(f);
+    std::vector<int> faces;
+    return std::any_of(parts.begin(), parts.end(), [&](const Prism& prism)
+      { return is_folded(prism, 1, faces); });
+  }
+
+  // Appends the faces of the mesh at which the projection of face `f` may have a fold, at least the
+  // first ones; none if `f` is itself turned against the directions at its corners. Takes longer.
+  void append_folded(int f, std::vector<int>& faces)
+  {
+    const int most_found = 50;
     for(const Prism& prism : prisms(f))
-      result = is_folded(prism, faces) || result;
-    return result;
+      is_folded(prism, most_found, faces);
   }
 
 private:
@@ -127,8 +135,8 @@ private:
 
   // Visits the faces of the mesh that meet the prism, from where the line in its middle does. The
   // way leads across edges inside of the prism: what lies beyond a rim along its side is another
-  // sheet.
-  bool is_folded(const Prism& prism, std::vector<int>& faces)
+  // sheet. It ends with the last of so many folds.
+  bool is_folded(const Prism& prism, int most_found, std::vector<int>& faces)
   {
     const Slab slab = slab_without_crossings(prism);
     if(!(slab.lower < slab.upper))
@@ -401,7 +409,7 @@ private:
     return parts;
   }
 
-  static constexpr int most_found = 50, largest_depth = 7, most_divisions = 60;
+  static constexpr int largest_depth = 7, most_divisions = 60;
 
   const Proxy_mesh* m_proxy;
   const Working_mesh& m_target; // that of the projection

@@ -25,6 +25,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <memory>
 #include <queue>
@@ -223,11 +224,10 @@ private:
     direction = start;
   }
 
-  // faces of the proxy, faces of the original below the folded ones, and vertices of the original
-  // that belong to no face of the proxy
+  // faces of the proxy, and vertices of the original that belong to no face of the proxy
   struct Defects
   {
-    std::vector<int> folded, torn, folded_original, uncovered;
+    std::vector<int> folded, torn, uncovered;
   };
 
   static bool is_acceptable(const Proxy_mesh& proxy, const Defects& defects)
@@ -246,50 +246,86 @@ private:
     std::vector<int> faces;
     for(int f = 0; f < proxy.mesh.number_of_faces(); ++f)
       faces.push_back(f);
-    Defects defects = find_defects(proxy, faces);
-    for(const bool do_unfold : {false, true, true})
+    std::vector<int> folded = folded_faces(proxy, faces);
+    if(can_cure(proxy, folded, largest_share))
     {
-      const double share = do_unfold ? largest_share_to_unfold : largest_share;
-      if(defects.folded.empty() || defects.folded.size() > share * proxy.mesh.number_of_faces())
-        break;
       Proxy_mesh candidate = proxy;
-      if(do_unfold)
-        unfold(candidate, defects);
-      else
-        cure_folds(candidate, defects, [&candidate](const Defects& present)
-          { smooth_directions(candidate, present.folded); });
-      Defects remaining = find_defects(candidate, faces);
-      if(remaining.folded.size() >= defects.folded.size())
-        continue;
-      defects = std::move(remaining);
-      proxy = std::move(candidate);
+      const std::size_t remaining = cure_folds(candidate, folded,
+        [&candidate](const std::vector<int>& present) { smooth_directions(candidate, present); });
+      if(remaining < folded.size())
+        keep_if_better(candidate, faces_to_check(proxy, candidate, folded), proxy, folded);
     }
-    defects.uncovered = uncovered_vertices(proxy);
-    return defects;
+    const int most_rounds = 2;
+    for(int i = 0; i < most_rounds && can_cure(proxy, folded, largest_share_to_unfold); ++i)
+    {
+      Proxy_mesh candidate = proxy;
+      // where it fails once, it does so again
+      if(unfold(candidate, folded) >= folded.size()
+         || !keep_if_better(candidate, faces, proxy, folded))
+        break;
+    }
+    return Defects{folded, torn_faces(proxy), uncovered_vertices(proxy)};
   }
 
-  // Applies `cure(defects)` a few times, to what is left.
+  static bool can_cure(const Proxy_mesh& proxy, const std::vector<int>& folded,
+                       double largest_share)
+  {
+    return !folded.empty() && folded.size() <= largest_share * proxy.mesh.number_of_faces();
+  }
+
+  // Replaces a proxy and its folded faces if the other one has fewer. `faces`: those of the other
+  // one that may be folded
+  static bool keep_if_better(Proxy_mesh& candidate, const std::vector<int>& faces,
+                             Proxy_mesh& proxy, std::vector<int>& folded)
+  {
+    std::vector<int> remaining = folded_faces(candidate, faces);
+    if(remaining.size() >= folded.size())
+      return false;
+    folded = std::move(remaining);
+    proxy = std::move(candidate);
+    return true;
+  }
+
+  // the folded faces, and those at which directions have changed, sorted
+  static std::vector<int> faces_to_check(const Proxy_mesh& before, const Proxy_mesh& after,
+                                         const std::vector<int>& folded)
+  {
+    std::vector<int> faces = folded;
+    for(int f = 0; f < after.mesh.number_of_faces(); ++f)
+    {
+      const std::array<int, 3>& t = after.mesh.triangles[f];
+      if(std::any_of(t.begin(), t.end(), [&before, &after](int v)
+         { return after.normal[v] != before.normal[v]; }))
+        faces.push_back(f);
+    }
+    sort_and_unify(faces);
+    return faces;
+  }
+
+  // Applies `cure(folded)` a few times, to what is left. Returns how many faces near the present
+  // ones are folded in the end: there are no fewer in all.
   template <typename Cure>
-  static void cure_folds(const Proxy_mesh& proxy, Defects defects, const Cure& cure)
+  static std::size_t cure_folds(const Proxy_mesh& proxy, std::vector<int> folded, const Cure& cure)
   {
     const int rounds = 8;
-    const std::size_t most_folds = 2 * defects.folded.size();
-    for(int i = 0; i < rounds && !defects.folded.empty() && defects.folded.size() <= most_folds; ++i)
+    const std::size_t most_folds = 2 * folded.size();
+    for(int i = 0; i < rounds && !folded.empty() && folded.size() <= most_folds; ++i)
     {
-      cure(defects);
-      defects = find_defects(proxy, faces_around(proxy.mesh, defects.folded));
+      cure(folded);
+      folded = folded_faces(proxy, faces_around(proxy.mesh, folded));
     }
+    return folded.size();
   }
 
-  // Unfolds the original, and lets the proxy follow.
-  void unfold(Proxy_mesh& proxy, const Defects& defects) const
+  // Unfolds the original, and lets the proxy follow. Returns what `cure_folds()` does.
+  std::size_t unfold(Proxy_mesh& proxy, const std::vector<int>& folded) const
   {
     Surface_unfolder unfolder(m_original, *proxy.unfolded);
     proxy.unfolded = unfolder.mesh();
-    cure_folds(proxy, defects, [&](const Defects& present)
+    return cure_folds(proxy, folded, [&](const std::vector<int>& present)
     {
-      unfolder.unfold(present.folded_original);
-      follow_unfolded(proxy, present.folded);
+      unfolder.unfold(faces_below(proxy, present));
+      follow_unfolded(proxy, present);
     });
   }
 
@@ -352,20 +388,35 @@ private:
     values.erase(std::unique(values.begin(), values.end()), values.end());
   }
 
-  static Defects find_defects(const Proxy_mesh& proxy, const std::vector<int>& faces)
+  // those of some faces that may be folded
+  static std::vector<int> folded_faces(const Proxy_mesh& proxy, const std::vector<int>& faces)
+  {
+    Projection_fold_check fold_check(proxy);
+    std::vector<int> folded;
+    std::copy_if(faces.begin(), faces.end(), std::back_inserter(folded),
+                 [&fold_check](int f) { return fold_check.is_folded(f); });
+    return folded;
+  }
+
+  // the faces of the original at which the projection of some folded faces has its folds, sorted
+  static std::vector<int> faces_below(const Proxy_mesh& proxy, const std::vector<int>& folded)
+  {
+    Projection_fold_check fold_check(proxy);
+    std::vector<int> below;
+    for(const int f : folded)
+      fold_check.append_folded(f, below);
+    sort_and_unify(below);
+    return below;
+  }
+
+  static std::vector<int> torn_faces(const Proxy_mesh& proxy)
   {
     const Proxy_projection projection(proxy);
-    Projection_fold_check fold_check(proxy);
-    Defects defects;
-    for(const int f : faces)
-    {
-      if(fold_check.is_folded(f, defects.folded_original))
-        defects.folded.push_back(f);
+    std::vector<int> torn;
+    for(int f = 0; f < proxy.mesh.number_of_faces(); ++f)
       if(is_torn(proxy, projection, f))
-        defects.torn.push_back(f);
-    }
-    sort_and_unify(defects.folded_original);
-    return defects;
+        torn.push_back(f);
+    return torn;
   }
 
   // Are the images of some small triangles of a face much larger or far away?
