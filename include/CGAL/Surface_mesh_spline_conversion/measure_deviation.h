@@ -128,7 +128,8 @@ surface, as dense as the vertices of the mesh and with a search uphill from the 
 from creases of the mesh, are compared with the mesh, and the vertices and face centres of the mesh
 with the surface. In a band along the boundary, where the mesh has chords and the surface has
 curves, only what exceeds the gap between the nearest edges and their curves counts; in the outer
-half of this band, what exceeds a part of the gap that falls to nothing. All figures are
+half of this band, as far as it is beyond the gap, what exceeds a part of the gap that falls to
+nothing. All figures are
 maxima over samples, hence lower bounds.
 
 \tparam K a model of `Kernel`

@@ -259,13 +259,16 @@ private:
     m_piece_facing.push_back(part.facing);
   }
 
-  // What is tolerated falls continuously to nothing in the outer half of the band. If it jumped,
-  // the search uphill would not find what exceeds the tolerance just beyond the band.
+  // What is tolerated falls continuously to nothing in the outer half of the band, or in the part of
+  // it that is farther away than the curves are from their chords. If it jumped, the search uphill
+  // would not find what exceeds the tolerance just beyond the band.
   double excess(const Eigen::Vector3d& p, double distance) const
   {
     double gap;
-    const double depth = (std::min)(1., m_mesh.boundary_distance(p, gap) / m_band);
-    return (std::max)(0., distance - (std::min)(1., 2 * (1 - depth)) * gap);
+    const double outer = m_band - m_mesh.boundary_distance(p, gap);
+    const double fall = (std::min)(m_band / 2, m_band - gap);
+    const double share = outer >= fall ? 1 : (std::max)(0., outer / fall);
+    return (std::max)(0., distance - (outer >= 0 ? share * gap : 0));
   }
 
   // Walks uphill from large deviations, so that neither the maximum nor the verdict on a piece
