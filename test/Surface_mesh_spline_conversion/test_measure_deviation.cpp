@@ -22,16 +22,16 @@ typedef CGAL::Surface_mesh<Point_3> Mesh;
 typedef SMSC::NURBS_shell_3<K> Shell;
 typedef SMSC::NURBS_curve_traits_3<K> Curve_traits;
 
-const double SIZE = 10;
+constexpr double SIZE = 10;
 const int CELLS = 20;
 
 // two bicubic faces side by side over the square; `z(i,j)` moves control point i of 0 to 6, j of 0
-// to 3
-Shell two_faces(const std::function<double(int, int)>& z)
+// to 3; or over a part of the square that is `width` wide
+Shell two_faces(const std::function<double(int, int)>& z, double width = SIZE)
 {
   Shell shell;
   const SMSC::Knot_vector<double> knots(3, {0, 1});
-  auto point = [&z](int i, int j) { return Point_3(SIZE * i / 6, SIZE * j / 3, z(i, j)); };
+  auto point = [&](int i, int j) { return Point_3(SIZE * i / 6, width * j / 3, z(i, j)); };
   std::map<std::pair<int, int>, std::size_t> vertex;
   for(int i : {0, 3, 6})
     for(int j : {0, 3})
@@ -184,6 +184,25 @@ void test_ridges_between_samples()
                        { return std::hypot(p.x() - 5.5, p.y() - y) < width / 2; }));
 }
 
+// On one side of a narrow strip the edges of the mesh are so short that samples of its curve hide
+// those of the other side, which is one edge.
+void test_uneven_boundary()
+{
+  constexpr int EDGES = 200;
+  constexpr double WIDTH = SIZE / 100;
+  Measurement strip;
+  strip.mesh.clear();
+  std::vector<Mesh::Vertex_index> v;
+  for(double x : {0., SIZE})
+    v.push_back(strip.mesh.add_vertex(Point_3(x, 0, 0)));
+  for(int k = EDGES; k >= 0; --k)
+    v.push_back(strip.mesh.add_vertex(Point_3(SIZE * k / EDGES, WIDTH, 0)));
+  for(std::size_t i = 1; i + 1 < v.size(); ++i)
+    strip.mesh.add_face(v[0], v[i], v[i + 1]);
+  const SMSC::Deviation<K> d = strip(two_faces([](int, int) { return 0; }, WIDTH));
+  assert(d.boundary_maximum < 1e-12);
+}
+
 int main()
 {
   Measurement measure;
@@ -259,6 +278,7 @@ int main()
            < rounding);
   test_ridge();
   test_ridges_between_samples();
+  test_uneven_boundary();
   std::cout << "ok" << std::endl;
   return 0;
 }

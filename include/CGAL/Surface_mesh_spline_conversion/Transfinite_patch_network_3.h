@@ -16,6 +16,7 @@
 #include <CGAL/Surface_mesh_spline_conversion/internal/named_parameters.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/patches/Corner_fans.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/patches/Curved_facets.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/boundary_band.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/patches/Displacement_reach.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/patches/Layout_boundary.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/patches/Mesh_projection.h>
@@ -48,8 +49,8 @@ boundary curves and coincides with the mesh in all quads without a boundary side
 
 A point of a quad with a boundary side is the point of the mesh given by the inverse map of the
 layout plus a displacement that blends the gaps between the curves and the boundary of the mesh over
-the width of the quad. It ends earlier where the quad is wider than three mean edge lengths of the
-mesh, or where the gap is larger than those nearby by more than half the tolerance.
+the width of the quad. It ends earlier where the quad is wider than the band along the boundary, or
+where the gap is larger than those nearby by more than half the tolerance.
 The parameter of a boundary chain runs by one along each quad side. It is related to the arc length
 by a function that is \f$ C^2 \f$ and monotone: the vertices of the layout slide along the curves,
 and the inverse map is warped accordingly in the quads with a boundary side.
@@ -103,6 +104,12 @@ public:
       \cgalParamType{a number type convertible to `double`}
       \cgalParamDefault{`1e-3` times the diameter of the mesh}
     \cgalParamNEnd
+    \cgalParamNBegin{boundary_band}
+      \cgalParamDescription{the width of the band along the boundary in which the gaps are blended,
+                             in model units}
+      \cgalParamType{a number type convertible to `double`}
+      \cgalParamDefault{three mean edge lengths of the mesh}
+    \cgalParamNEnd
     \cgalParamNBegin{use_smooth_correspondence}
       \cgalParamDescription{whether the vertices of the layout slide along the curves so that the
                              arc length is a smooth function of the parameter; otherwise it is
@@ -134,7 +141,7 @@ public:
     m_mesh = std::make_shared<internal::Mesh_projection>(tm, vpm);
     m_fans = std::make_shared<internal::Corner_fans<Layout> >(m_layout, *m_mesh);
     m_reach = std::make_shared<internal::Displacement_reach>(
-      tm, vpm, network, m_mesh->mean_edge_length(),
+      tm, vpm, network, internal::boundary_band_width(np, tm, vpm),
       negligible_share * CGAL::to_double(choose_parameter(
         get_parameter(np, internal_np::interior_tolerance),
         default_relative_tolerance * network.diameter())));

@@ -12,6 +12,7 @@
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
 #include <CGAL/Surface_mesh_spline_conversion/NURBS_shell_3.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/boundary_band.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/Interior_bound.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/Mesh_distance.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/bezier_pieces.h>
@@ -35,8 +36,8 @@ this is below the interior tolerance, or, where a point is farther than the tole
 percent above its distance. Where the tolerance is met with a little to spare, it therefore is
 proved to be met.
 
-Points within three mean edge lengths of the boundary do not count: the mesh has chords there,
-and the surface has curves.
+Points in a band along the boundary do not count: the mesh has chords there, and the surface has
+curves.
 
 \tparam K a model of `Kernel`
 \tparam TriangleMesh a model of `FaceListGraph` and `VertexListGraph`
@@ -54,6 +55,11 @@ and the surface has curves.
     \cgalParamDescription{smaller bounds are not looked for, in model units}
     \cgalParamType{a positive number}
     \cgalParamDefault{\f$ 10^{-3} \f$ times the diameter of the network}
+  \cgalParamNEnd
+  \cgalParamNBegin{boundary_band}
+    \cgalParamDescription{the width of the band along the boundary, in model units}
+    \cgalParamType{a number type convertible to `double`}
+    \cgalParamDefault{three mean edge lengths of `tm`}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_point_map}
     \cgalParamDescription{a property map associating points to the vertices of `tm`}
@@ -82,7 +88,8 @@ typename K::FT bound_interior_deviation(const NURBS_shell_3<K>& shell, const Tri
     = CGAL::to_double(choose_parameter(get_parameter(np, internal_np::interior_tolerance),
                                        DEFAULT_RELATIVE_TOLERANCE * network.diameter()));
   const internal::Mesh_distance mesh(tm, vpm, network);
-  return internal::Interior_bound(internal::bezier_pieces(shell), mesh, tolerance).value();
+  return internal::Interior_bound(internal::bezier_pieces(shell), mesh,
+                                  internal::boundary_band_width(np, tm, vpm), tolerance).value();
 }
 
 } // namespace Surface_mesh_spline_conversion

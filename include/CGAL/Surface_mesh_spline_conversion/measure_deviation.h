@@ -12,6 +12,7 @@
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
 #include <CGAL/Surface_mesh_spline_conversion/NURBS_shell_3.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/boundary_band.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/Boundary_deviation.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/Interior_deviation.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/Mesh_distance.h>
@@ -69,12 +70,12 @@ struct Deviation
 
 namespace internal {
 
-// See measure_deviation() below. `limit`: deviations of the interior are violations above it, which
-// need not be the tolerance.
+// See measure_deviation() below. `band`: the width of the band along the boundary. `limit`:
+// deviations of the interior are violations above it, which need not be the tolerance.
 template <typename K, typename TriangleMesh, typename VertexPointMap, typename BoundaryCurveNetwork>
 void measure_shell(const NURBS_shell_3<K>& shell, const TriangleMesh& tm, const VertexPointMap& vpm,
-                   const BoundaryCurveNetwork& network, double tolerance, double limit,
-                   Deviation<K>& deviation)
+                   const BoundaryCurveNetwork& network, double band, double tolerance,
+                   double limit, Deviation<K>& deviation)
 {
   constexpr double LARGEST_ANGLE = 1; // in degrees
   auto point = [](const Eigen::Vector3d& p) { return typename K::Point_3(p.x(), p.y(), p.z()); };
@@ -89,7 +90,7 @@ void measure_shell(const NURBS_shell_3<K>& shell, const TriangleMesh& tm, const 
 
   const Mesh_distance mesh(tm, vpm, network);
   const std::vector<Bezier_piece> pieces = bezier_pieces(shell);
-  Interior_deviation interior(pieces, mesh, tolerance, limit);
+  Interior_deviation interior(pieces, mesh, band, tolerance, limit);
   interior.add_mesh(tm, vpm);
   deviation.interior_maximum = interior.statistics().maximum;
   deviation.interior_mean = interior.statistics().mean();
@@ -125,9 +126,10 @@ The measurement shares no code with the fits. Boundary: points of the boundary e
 are projected on the curves, and points of the curves on the boundary edges. Interior: points of the
 surface, as dense as the vertices of the mesh and with a search uphill from the largest values and
 from creases of the mesh, are compared with the mesh, and the vertices and face centres of the mesh
-with the surface. Within three mean edge lengths of the boundary, where the mesh has chords and the
-surface has curves, only what exceeds the gap between the nearest edges and their curves counts; in
-the outer half of this band, what exceeds a part of the gap that falls to nothing. All figures are
+with the surface. In a band along the boundary, where the mesh has chords and the surface has
+curves, only what exceeds the gap between the nearest edges and their curves counts; in the outer
+half of this band, as far as it is beyond the gap, what exceeds a part of the gap that falls to
+nothing. All figures are
 maxima over samples, hence lower bounds.
 
 \tparam K a model of `Kernel`
@@ -147,6 +149,11 @@ maxima over samples, hence lower bounds.
     \cgalParamDescription{the deviation up to which a sample counts as within, in model units}
     \cgalParamType{a positive number}
     \cgalParamDefault{\f$ 10^{-3} \f$ times the diameter of the network}
+  \cgalParamNEnd
+  \cgalParamNBegin{boundary_band}
+    \cgalParamDescription{the width of the band along the boundary, in model units}
+    \cgalParamType{a number type convertible to `double`}
+    \cgalParamDefault{three mean edge lengths of `tm`}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_point_map}
     \cgalParamDescription{a property map associating points to the vertices of `tm`}
@@ -174,7 +181,8 @@ void measure_deviation(const NURBS_shell_3<K>& shell, const TriangleMesh& tm,
   const double tolerance
     = CGAL::to_double(choose_parameter(get_parameter(np, internal_np::interior_tolerance),
                                        DEFAULT_RELATIVE_TOLERANCE * network.diameter()));
-  internal::measure_shell(shell, tm, vpm, network, tolerance, tolerance, deviation);
+  internal::measure_shell(shell, tm, vpm, network, internal::boundary_band_width(np, tm, vpm),
+                          tolerance, tolerance, deviation);
 }
 
 } // namespace Surface_mesh_spline_conversion

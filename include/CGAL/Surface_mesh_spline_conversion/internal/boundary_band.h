@@ -11,13 +11,45 @@
 
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
+#include <CGAL/Surface_mesh_spline_conversion/internal/named_parameters.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/to_eigen.h>
+
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/number_utils.h>
+
+#include <cstddef>
+
 namespace CGAL {
 namespace Surface_mesh_spline_conversion {
 namespace internal {
 
-// Width of the band along the boundary of a mesh, in mean edge lengths: only there a surface may
-// leave the mesh, which has chords, for the curves of the boundary.
-constexpr double boundary_band = 3;
+// Returns the width of the band along the boundary of a mesh: only there a surface may leave the
+// mesh, which has chords, for the curves of the boundary. An edge between two faces counts twice.
+template <typename TriangleMesh, typename VertexPointMap>
+double boundary_band_width(const TriangleMesh& tm, const VertexPointMap& vpm)
+{
+  constexpr double MEAN_EDGES = 3;
+  double sum = 0;
+  std::size_t number_of_edges = 0;
+  for(auto f : faces(tm))
+    for(auto h : halfedges_around_face(halfedge(f, tm), tm))
+    {
+      sum += (to_eigen(get(vpm, target(h, tm))) - to_eigen(get(vpm, source(h, tm)))).norm();
+      ++number_of_edges;
+    }
+  return MEAN_EDGES * sum / double(number_of_edges);
+}
+
+// returns the width given as named parameter, or that of the mesh.
+template <typename NamedParameters, typename TriangleMesh, typename VertexPointMap>
+double boundary_band_width(const NamedParameters& np, const TriangleMesh& tm,
+                           const VertexPointMap& vpm)
+{
+  constexpr double UNKNOWN = -1;
+  const double width = CGAL::to_double(parameters::choose_parameter(
+    parameters::get_parameter(np, internal_np::boundary_band), UNKNOWN));
+  return width == UNKNOWN ? boundary_band_width(tm, vpm) : width;
+}
 
 } // namespace internal
 } // namespace Surface_mesh_spline_conversion

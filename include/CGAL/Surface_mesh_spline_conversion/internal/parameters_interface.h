@@ -24,6 +24,7 @@ CGAL_add_named_parameter(do_coarsen_patches_t, do_coarsen_patches, do_coarsen_pa
 CGAL_add_named_parameter(do_certify_interior_t, do_certify_interior, do_certify_interior)
 CGAL_add_named_parameter(do_fair_interior_t, do_fair_interior, do_fair_interior)
 CGAL_add_named_parameter(do_merge_patches_t, do_merge_patches, do_merge_patches)
+CGAL_add_named_parameter(boundary_band_t, boundary_band, boundary_band)
 CGAL_add_named_parameter(boundary_vertices_t, boundary_vertices, boundary_vertices)
 CGAL_add_named_parameter(boundary_tangency_t, boundary_tangency, boundary_tangency)
 CGAL_add_named_parameter(do_keep_large_corners_t, do_keep_large_corners, do_keep_large_corners)

@@ -22,6 +22,7 @@
 #include <CGAL/Surface_mesh_spline_conversion/extract_NURBS_faces.h>
 #include <CGAL/Surface_mesh_spline_conversion/find_boundary_vertices.h>
 #include <CGAL/Surface_mesh_spline_conversion/fit_boundary.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/boundary_band.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/conversion/Mesh_component.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/conversion/conversion_options.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/conversion/facet_sagitta.h>
@@ -79,6 +80,7 @@ public:
     : m_tm(tm), m_vpm(vpm), m_network(network), m_size_map(size_map)
     , m_cross_field_map(cross_field_map), m_options(options), m_normals(normals)
     , m_visitor(visitor), m_surfaces(surfaces), m_report(report)
+    , m_band(boundary_band_width(tm, vpm))
   {}
 
   // `curves`: the property map of the curve segments of the halfedges
@@ -249,6 +251,7 @@ private:
     Conversion_report& part = attempt.part;
     const Target target(layout, network, component.mesh,
                         parameters::use_smooth_target(m_options.use_smooth_target)
+                          .boundary_band(m_band)
                           .interior_tolerance(m_options.interior_tolerance));
     if(target.has_smooth_target())
       part.interior.target_height = CGAL::to_double(target.smooth_target_height());
@@ -375,7 +378,7 @@ private:
   {
     const NURBS_shell_3<Kernel> shell = extract_shell(surface, network);
     measure_shell(shell, component.mesh, get(vertex_point, component.mesh), network,
-                  m_options.interior_tolerance, largest_deviation(part), deviation);
+                  m_band, m_options.interior_tolerance, largest_deviation(part), deviation);
     part.boundary.max_deviation = CGAL::to_double(deviation.boundary_maximum);
     part.boundary.mean_deviation = CGAL::to_double(deviation.boundary_mean);
     locate_worst(deviation.boundary_worst, part);
@@ -414,7 +417,7 @@ private:
   {
     part.interior.certified_bound = CGAL::to_double(bound_interior_deviation(
       extract_shell(surface, network), component.mesh, network,
-      parameters::interior_tolerance(m_options.interior_tolerance)));
+      parameters::interior_tolerance(m_options.interior_tolerance).boundary_band(m_band)));
     if(part.interior.certified_bound > largest_deviation(part))
       part.warnings.push_back("the distance of the surface from the mesh is proved to be below "
                               + format_number(part.interior.certified_bound)
@@ -503,6 +506,7 @@ private:
   Visitor& m_visitor;
   std::vector<Surface>& m_surfaces;
   Conversion_report& m_report;
+  double m_band; // along the boundary of all components
 };
 
 } // namespace internal

@@ -13,19 +13,24 @@
 
 #include <CGAL/Surface_mesh_spline_conversion/NURBS_shell_3.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/Point_index.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/compatibility.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/Deviation_statistics.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/bezier_pieces.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/for_each_index.h>
 
+#include <CGAL/AABB_segment_primitive.h>
+#include <CGAL/AABB_tree.h>
+#include <CGAL/Simple_cartesian.h>
 #include <CGAL/number_utils.h>
+#include <CGAL/squared_distance_3.h>
 
 #include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <limits>
-#include <memory>
 #include <vector>
 
 namespace CGAL {
@@ -34,9 +39,17 @@ namespace internal {
 
 /// A set of curves with samples, on which points are projected. `Curves` offers `size()`,
 /// `number_of_intervals(i)`, `point(i,t)` and `derivative(i,t)` for t in [0,1].
+///
+/// The search starts from the chords between the samples, since the samples next to a point may all
+/// lie on another curve that has more of them.
 template <typename Curves>
 class Curve_projector
 {
+  typedef CGAL::Simple_cartesian<double> Kernel;
+  typedef std::vector<Kernel::Segment_3> Segments;
+  typedef CGAL::AABB_segment_primitive<Kernel, Segments::const_iterator> Primitive;
+  typedef CGAL::AABB_tree<AABB_traits_3<Kernel, Primitive> > Tree;
+
 public:
   struct Foot
   {
@@ -53,9 +66,15 @@ public:
         const double t = k / double(curves.number_of_intervals(i));
         m_samples.push_back({i, t});
         m_points.push_back(curves.point(i, t));
+        if(k > 0)
+          add_chord();
       }
-    m_index = std::make_unique<Point_index>(m_points);
+    m_tree.insert(m_segments.begin(), m_segments.end());
+    m_tree.build();
   }
+
+  Curve_projector(const Curve_projector&) = delete;
+  Curve_projector& operator=(const Curve_projector&) = delete;
 
   const std::vector<Eigen::Vector3d>& points() const { return m_points; }
 
@@ -68,10 +87,18 @@ public:
 
   Foot project(const Eigen::Vector3d& p) const
   {
-    Foot best;
-    for(std::size_t i : m_index->nearest(p, NUMBER_OF_STARTS))
+    const auto closest = m_tree.closest_point_and_primitive(point(p));
+    Foot best = project_from_chord(p, std::size_t(closest.second - m_segments.begin()));
+    const double radius = best.distance + m_largest_sagitta;
+    std::vector<Segments::const_iterator> near;
+    m_tree.all_intersected_primitives(Kernel::Sphere_3(point(p), radius * radius),
+                                      std::back_inserter(near));
+    for(const auto segment : near)
     {
-      const Foot foot = project_from(p, m_samples[i].curve, m_samples[i].parameter);
+      const std::size_t i = std::size_t(segment - m_segments.begin());
+      if(std::sqrt(CGAL::squared_distance(point(p), *segment)) > best.distance + m_sagittas[i])
+        continue;
+      const Foot foot = project_from_chord(p, i);
       if(foot.distance < best.distance)
         best = foot;
     }
@@ -88,10 +115,38 @@ public:
   const std::vector<Sample>& samples() const { return m_samples; }
 
 private:
-  // more than one, as the foot may lie on the curve next to that of the nearest sample
-  static constexpr unsigned int NUMBER_OF_STARTS = 4;
   static constexpr int MAXIMUM_NUMBER_OF_STEPS = 24;
   static constexpr double NEGLIGIBLE_STEP = 1e-12; // of the parameter
+
+  static Kernel::Point_3 point(const Eigen::Vector3d& p)
+  {
+    return Kernel::Point_3(p.x(), p.y(), p.z());
+  }
+
+  // the chord that ends at the last sample
+  void add_chord()
+  {
+    constexpr double SAFETY = 2; // the curve may be farther away than in the middle
+    const Sample& end = m_samples.back();
+    const double middle = (m_samples[m_samples.size() - 2].parameter + end.parameter) / 2;
+    m_segments.emplace_back(point(m_points[m_points.size() - 2]), point(m_points.back()));
+    m_chord_ends.push_back(m_samples.size() - 1);
+    m_sagittas.push_back(SAFETY * std::sqrt(CGAL::squared_distance(
+      point(m_curves.point(end.curve, middle)), m_segments.back())));
+    m_largest_sagitta = (std::max)(m_largest_sagitta, m_sagittas.back());
+  }
+
+  // starts at the parameter of the point of the chord that is closest to `p`
+  Foot project_from_chord(const Eigen::Vector3d& p, std::size_t chord) const
+  {
+    const std::size_t end = m_chord_ends[chord];
+    const Sample &a = m_samples[end - 1], &b = m_samples[end];
+    const Eigen::Vector3d d = m_points[end] - m_points[end - 1];
+    const double share
+      = d.isZero(0) ? 0 : (p - m_points[end - 1]).dot(d) / d.squaredNorm();
+    return project_from(p, a.curve, a.parameter + (std::min)(1., (std::max)(0., share))
+                                                    * (b.parameter - a.parameter));
+  }
 
   Foot project_from(const Eigen::Vector3d& p, std::size_t curve, double t) const
   {
@@ -124,7 +179,11 @@ private:
   const Curves& m_curves;
   std::vector<Sample> m_samples;
   std::vector<Eigen::Vector3d> m_points;
-  std::unique_ptr<Point_index> m_index;
+  Segments m_segments;                   // the chords
+  std::vector<std::size_t> m_chord_ends; // samples
+  std::vector<double> m_sagittas;        // bounds of the heights of the curve above its chords
+  double m_largest_sagitta = 0;
+  Tree m_tree;
 };
 
 /// the curves of the boundary edges of a mesh

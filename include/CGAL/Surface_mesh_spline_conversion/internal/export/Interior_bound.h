@@ -11,7 +11,6 @@
 
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
-#include <CGAL/Surface_mesh_spline_conversion/internal/boundary_band.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/Interior_deviation.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/Mesh_distance.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/bezier_pieces.h>
@@ -61,9 +60,11 @@ inline std::array<Bezier_piece, 2> bisected(const Bezier_piece& piece, int axis)
 class Interior_bound
 {
 public:
-  Interior_bound(const std::vector<Bezier_piece>& pieces, const Mesh_distance& mesh,
+  /// \param band the width of the band along the boundary where points do not count
+  /// \param tolerance smaller bounds are not looked for
+  Interior_bound(const std::vector<Bezier_piece>& pieces, const Mesh_distance& mesh, double band,
                  double tolerance)
-    : m_mesh(mesh), m_tolerance(tolerance)
+    : m_mesh(mesh), m_band(band), m_tolerance(tolerance)
   {
     std::vector<double> bounds(pieces.size(), 0);
     for_each_index(pieces.size(), [&](std::size_t i) { bounds[i] = bound(pieces[i]); });
@@ -116,9 +117,8 @@ private:
     double radius = 0, gap;
     for(const Eigen::Vector3d& p : piece.points)
       radius = (std::max)(radius, (p - center).norm());
-    const double band = boundary_band * m_mesh.mean_edge_length();
     const double boundary_distance = m_mesh.boundary_distance(center, gap);
-    Part result{0, 0, boundary_distance + radius <= band};
+    Part result{0, 0, boundary_distance + radius <= m_band};
     if(result.is_in_band)
       return result;
     const double distance = m_mesh.foot(center, hint).distance;
@@ -126,7 +126,7 @@ private:
     for(const Eigen::Vector3d& p : piece.points)
       largest = (std::max)(largest, m_mesh.distance_to_triangle(p, hint));
     result.bound = (std::min)(largest, distance + radius);
-    result.distance = boundary_distance > band ? distance : 0;
+    result.distance = boundary_distance > m_band ? distance : 0;
     return result;
   }
 
@@ -138,7 +138,7 @@ private:
   }
 
   const Mesh_distance& m_mesh;
-  double m_tolerance, m_bound = 0;
+  double m_band, m_tolerance, m_bound = 0;
 };
 
 } // namespace internal

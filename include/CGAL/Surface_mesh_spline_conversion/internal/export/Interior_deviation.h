@@ -12,7 +12,6 @@
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
 #include <CGAL/Surface_mesh_spline_conversion/internal/Point_index.h>
-#include <CGAL/Surface_mesh_spline_conversion/internal/boundary_band.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/Deviation_statistics.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/Mesh_distance.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/bezier_pieces.h>
@@ -43,11 +42,12 @@ namespace internal {
 class Interior_deviation
 {
 public:
+  /// \param band the width of the band along the boundary where gaps count
   /// \param bound deviations up to it count as within the tolerance
   /// \param limit larger deviations are violations
   Interior_deviation(const std::vector<Bezier_piece>& pieces, const Mesh_distance& mesh,
-                     double bound, double limit)
-    : m_pieces(pieces), m_mesh(mesh), m_limit(limit)
+                     double band, double bound, double limit)
+    : m_pieces(pieces), m_mesh(mesh), m_band(band), m_limit(limit)
   {
     m_statistics.bound = bound;
     std::vector<Piece_samples> parts(pieces.size());
@@ -259,14 +259,16 @@ private:
     m_piece_facing.push_back(part.facing);
   }
 
-  // What is tolerated falls continuously to nothing in the outer half of the band. If it jumped,
-  // the search uphill would not find what exceeds the tolerance just beyond the band.
+  // What is tolerated falls continuously to nothing in the outer half of the band, or in the part of
+  // it that is farther away than the curves are from their chords. If it jumped, the search uphill
+  // would not find what exceeds the tolerance just beyond the band.
   double excess(const Eigen::Vector3d& p, double distance) const
   {
     double gap;
-    const double band = boundary_band * m_mesh.mean_edge_length();
-    const double depth = (std::min)(1., m_mesh.boundary_distance(p, gap) / band);
-    return (std::max)(0., distance - (std::min)(1., 2 * (1 - depth)) * gap);
+    const double outer = m_band - m_mesh.boundary_distance(p, gap);
+    const double fall = (std::min)(m_band / 2, m_band - gap);
+    const double share = outer >= fall ? 1 : (std::max)(0., outer / fall);
+    return (std::max)(0., distance - (outer >= 0 ? share * gap : 0));
   }
 
   // Walks uphill from large deviations, so that neither the maximum nor the verdict on a piece
@@ -502,7 +504,7 @@ private:
 
   const std::vector<Bezier_piece>& m_pieces;
   const Mesh_distance& m_mesh;
-  double m_limit;
+  double m_band, m_limit;
   std::vector<Sample> m_samples;
   std::vector<Eigen::Vector3d> m_points;
   std::vector<double> m_deviations;

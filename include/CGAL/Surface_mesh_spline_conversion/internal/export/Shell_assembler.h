@@ -131,7 +131,7 @@ private:
   typedef typename std::vector<Piece>::const_iterator Piece_iterator;
 
   // the longest boundary edge, in lengths of its shortest span
-  static constexpr double LARGEST_EDGE = 16;
+  static constexpr double LARGEST_EDGE = 16, LARGEST_PLANAR_EDGE = 64;
 
   // Turns a point of the boundary into a node: the vertex of the complex there, or a new one that
   // cuts a segment.
@@ -219,7 +219,8 @@ private:
 
   // Where kernels compute or check the curve of an edge on the face beside the shell, they look at
   // evenly spaced parameters, Open CASCADE at 23 of them to check, and miss what happens in much
-  // shorter spans. Edges in planes have such curves without any deviation.
+  // shorter spans. Edges in planes have such curves without any deviation if the face is in the same
+  // plane, as it often is; they may be longer.
   void divide_boundary_edges(const std::vector<Loop>& loops)
   {
     for(const Loop& loop : loops)
@@ -241,7 +242,8 @@ private:
       total += length(*piece);
       shortest = (std::min)(shortest, length(*piece));
     }
-    if(total <= LARGEST_EDGE * shortest || is_planar(begin, end))
+    if(total <= LARGEST_EDGE * shortest
+       || (total <= LARGEST_PLANAR_EDGE * shortest && is_planar(begin, end)))
       return;
     Piece_iterator middle = begin;
     for(double before = 0; before + length(*middle) / 2 < total / 2 || middle == begin; ++middle)

@@ -11,7 +11,6 @@
 
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
-#include <CGAL/Surface_mesh_spline_conversion/internal/boundary_band.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/curves/chord_gaps.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/to_eigen.h>
 
@@ -38,10 +37,11 @@ namespace internal {
 class Displacement_reach
 {
 public:
+  // `band`: the width of the band along the boundary
   // `negligible_gap`: displacements that exceed the tolerated gaps by less than that do not matter
   template <typename TriangleMesh, typename VertexPointMap, typename Network>
   Displacement_reach(const TriangleMesh& tm, const VertexPointMap& vpm, const Network& network,
-                     double mean_edge_length, double negligible_gap)
+                     double band, double negligible_gap)
     : m_chains(network.number_of_chains())
   {
     std::vector<Edge> edges;
@@ -55,7 +55,7 @@ public:
     }
     for(const Edge& edge : edges)
       m_chains[edge.chain].reaches[edge.index]
-        = reach(edge, edges, boundary_band * mean_edge_length, negligible_gap);
+        = reach(edge, edges, band, negligible_gap);
   }
 
   // returns the reach of the displacement of the boundary of the mesh at an arc length of a chain,

@@ -24,7 +24,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -83,9 +82,6 @@ public:
       m_planar_triangles.emplace_back(std::array<Point_3, 3>{{m_vertices[corners[0]],
         m_vertices[corners[1]], m_vertices[corners[2]]}});
       m_has_area.push_back(normal(m_has_area.size()) != NULL_VECTOR);
-      for(i = 0; i < 3; ++i)
-        m_mean_edge_length += std::sqrt(CGAL::squared_distance(
-          m_vertices[corners[i]], m_vertices[corners[(i + 1) % 3]])) / double(3 * number_of_faces);
     }
   }
 
@@ -143,9 +139,6 @@ public:
 
   std::size_t number_of_faces() const { return m_triangles.size(); }
 
-  // an edge between two faces counts twice
-  double mean_edge_length() const { return m_mean_edge_length; }
-
   // the vertices have the numbers of their positions in `vertices(tm)`
   std::size_t number_of_vertices() const { return m_vertices.size(); }
   const Point_3& vertex(std::size_t i) const { return m_vertices[i]; }
@@ -167,7 +160,6 @@ private:
   std::vector<Kernel::Triangle_3> m_triangles;
   std::vector<Planar_triangle> m_planar_triangles;
   std::vector<char> m_has_area; // faces
-  double m_mean_edge_length = 0;
 };
 
 } // namespace internal
