@@ -129,8 +129,7 @@ from creases of the mesh, are compared with the mesh, and the vertices and face 
 with the surface. In a band along the boundary, where the mesh has chords and the surface has
 curves, only what exceeds the gap between the nearest edges and their curves counts; in the outer
 half of this band, as far as it is beyond the gap, what exceeds a part of the gap that falls to
-nothing. All figures are
-maxima over samples, hence lower bounds.
+nothing. All figures are maxima over samples, hence lower bounds.
 
 \tparam K a model of `Kernel`
 \tparam TriangleMesh a model of `FaceListGraph` and `VertexListGraph`
