@@ -12,9 +12,8 @@
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
 #include <CGAL/Surface_mesh_spline_conversion/internal/named_parameters.h>
-#include <CGAL/Surface_mesh_spline_conversion/internal/to_eigen.h>
 
-#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/number_utils.h>
 
 #include <cstddef>
@@ -30,14 +29,14 @@ double boundary_band_width(const TriangleMesh& tm, const VertexPointMap& vpm)
 {
   constexpr double MEAN_EDGES = 3;
   double sum = 0;
-  std::size_t number_of_edges = 0;
+  std::size_t number_of_faces = 0;
   for(auto f : faces(tm))
-    for(auto h : halfedges_around_face(halfedge(f, tm), tm))
-    {
-      sum += (to_eigen(get(vpm, target(h, tm))) - to_eigen(get(vpm, source(h, tm)))).norm();
-      ++number_of_edges;
-    }
-  return MEAN_EDGES * sum / double(number_of_edges);
+  {
+    sum += CGAL::to_double(Polygon_mesh_processing::face_border_length(
+      halfedge(f, tm), tm, parameters::vertex_point_map(vpm)));
+    ++number_of_faces;
+  }
+  return MEAN_EDGES * sum / (3. * double(number_of_faces));
 }
 
 // returns the width given as named parameter, or that of the mesh.

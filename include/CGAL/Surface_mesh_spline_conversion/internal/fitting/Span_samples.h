@@ -59,8 +59,8 @@ Span_samples sample_at_equal_parameters(double begin, double length, CurveTarget
   return result;
 }
 
-// Moves a foot along the curve towards the point closest to `p`. What is left of the way is the
-// curvature of the curve times the distance, which is small.
+// Moves a foot along the curve to the point closest to `p`, but for a share of the way that is the
+// curvature of the curve times the distance of `p`, and is small.
 template <typename CurveTarget>
 Curve_foot closer_foot(const Eigen::Vector3d& p, const Curve_foot& foot, CurveTarget& target)
 {
@@ -69,11 +69,10 @@ Curve_foot closer_foot(const Eigen::Vector3d& p, const Curve_foot& foot, CurveTa
 
 // Samples a curve next to the points of a spline.
 //
-// At the ends of the pieces, points are taken that are closest to those of the spline, but for one
-// more step; in between, the arc length is the cubic polynomial with the values and slopes there.
-// Where it increases, the spline and the curve are compared along a continuous one-to-one
-// correspondence, so that a bound of their distances is a bound of the Hausdorff distance, whatever
-// points are chosen.
+// At the ends of the pieces, one step leads to the points that are closest to those of the spline;
+// in between, the arc length is the cubic polynomial with the values and slopes there. Where it
+// increases, the spline and the curve are compared along a continuous one-to-one correspondence, so
+// that a bound of their distances is a bound of the Hausdorff distance, whatever points are chosen.
 template <typename CurveTarget>
 class Foot_sampler
 {
