@@ -12,8 +12,9 @@
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
 #include <CGAL/Surface_mesh_spline_conversion/internal/named_parameters.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/to_eigen.h>
 
-#include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/boost/graph/iterator.h>
 #include <CGAL/number_utils.h>
 
 #include <cstddef>
@@ -24,19 +25,21 @@ namespace internal {
 
 // Returns the width of the band along the boundary of a mesh: only there a surface may leave the
 // mesh, which has chords, for the curves of the boundary. An edge between two faces counts twice.
+// The lengths are not those of Polygon_mesh_processing: its header cannot be read after one of Open
+// CASCADE, which has a macro Handle.
 template <typename TriangleMesh, typename VertexPointMap>
 double boundary_band_width(const TriangleMesh& tm, const VertexPointMap& vpm)
 {
   constexpr double MEAN_EDGES = 3;
   double sum = 0;
-  std::size_t number_of_faces = 0;
+  std::size_t number_of_edges = 0;
   for(auto f : faces(tm))
-  {
-    sum += CGAL::to_double(Polygon_mesh_processing::face_border_length(
-      halfedge(f, tm), tm, parameters::vertex_point_map(vpm)));
-    ++number_of_faces;
-  }
-  return MEAN_EDGES * sum / (3. * double(number_of_faces));
+    for(auto h : halfedges_around_face(halfedge(f, tm), tm))
+    {
+      sum += (to_eigen(get(vpm, target(h, tm))) - to_eigen(get(vpm, source(h, tm)))).norm();
+      ++number_of_edges;
+    }
+  return MEAN_EDGES * sum / double(number_of_edges);
 }
 
 // returns the width given as named parameter, or that of the mesh.
