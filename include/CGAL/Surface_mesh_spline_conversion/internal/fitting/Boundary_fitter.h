@@ -66,8 +66,6 @@ class Boundary_fitter
       return CGAL::to_double(target->arc_length(chain, FT(x)));
     }
 
-    double speed(double x) const { return CGAL::to_double(target->speed(chain, FT(x))); }
-
     Eigen::Vector3d curve_point(double s) const
     {
       return to_eigen(target->network().point(chain, FT(s)));

@@ -46,8 +46,11 @@ public:
     return it->second;
   }
 
-  double arc_length(double x) const { return m_target.arc_length(x); }
-  double speed(double x) const { return m_target.speed(x); }
+  Curve_foot foot(double x)
+  {
+    return {m_target.arc_length(x), point(x), derivative(x).normalized()};
+  }
+
   Eigen::Vector3d curve_point(double s) const { return m_target.curve_point(s); }
   Curve_foot curve_foot(double s) const { return m_target.curve_foot(s); }
 

@@ -90,16 +90,16 @@ public:
   Values values(size_type span, double x) const
   {
     const size_type last = m_spans[span]; // m_knots[last] <= x <= m_knots[last + 1]
-    Row lower = {{0, 0, 0, 1}};           // degree 0; entry 3 belongs to the function `last`
-    Row linear = raise(lower, 1, last, x);
-    Row quadratic = raise(linear, 2, last, x);
+    // degree 0 first, where entry 3 belongs to the function `last`
+    const Row linear = divide(raise(divide({{0, 0, 0, 1}}, 1, last), 1, last, x), 2, last);
+    const Row quadratic = divide(raise(linear, 2, last, x), 3, last);
 
     Values result;
     for(size_type i = 0; i < 4; ++i)
       result.functions[i] = control_index(last - 3 + i);
     result.derivatives[0] = raise(quadratic, 3, last, x);
-    result.derivatives[1] = differentiate(quadratic, 3, last);
-    result.derivatives[2] = differentiate(differentiate(linear, 2, last), 3, last);
+    result.derivatives[1] = differentiate(quadratic, 3);
+    result.derivatives[2] = differentiate(divide(differentiate(linear, 2), 3, last), 3);
     return result;
   }
 
@@ -117,37 +117,40 @@ private:
     return m_is_periodic ? (function + m_size - 1) % m_size : function;
   }
 
-  // returns the functions of `degree` from those of one degree less (Cox, de Boor); entry i of a
-  // row belongs to the function `last - 3 + i`
-  Row raise(const Row& lower, size_type degree, size_type last, double x) const
+  // Functions of one degree less than `degree`, over the lengths of their supports: both formulas
+  // below are made of these. Entry i of a row belongs to the function `last - 3 + i`.
+  Row divide(const Row& lower, size_type degree, size_type last) const
   {
     Row result = {{0, 0, 0, 0}};
-    for(size_type i = 3 - degree; i < 4; ++i)
+    for(size_type i = 4 - degree; i < 4; ++i)
     {
       const size_type f = last - 3 + i;
-      if(lower[i] != 0)
-        result[i] += lower[i] * (x - m_knots[f]) / (m_knots[f + degree] - m_knots[f]);
-      if(i < 3 && lower[i + 1] != 0)
-        result[i] += lower[i + 1] * (m_knots[f + degree + 1] - x)
-                     / (m_knots[f + degree + 1] - m_knots[f + 1]);
+      if(lower[i] != 0) // else the support may be empty
+        result[i] = lower[i] / (m_knots[f + degree] - m_knots[f]);
     }
     return result;
   }
 
-  // returns the derivatives of the functions of `degree` from (derivatives of) those of one degree
-  // less
-  Row differentiate(const Row& lower, size_type degree, size_type last) const
+  // returns the functions of `degree` (Cox, de Boor)
+  Row raise(const Row& divided, size_type degree, size_type last, double x) const
   {
     Row result = {{0, 0, 0, 0}};
     for(size_type i = 3 - degree; i < 4; ++i)
     {
       const size_type f = last - 3 + i;
-      if(lower[i] != 0)
-        result[i] += double(degree) * lower[i] / (m_knots[f + degree] - m_knots[f]);
-      if(i < 3 && lower[i + 1] != 0)
-        result[i] -= double(degree) * lower[i + 1]
-                     / (m_knots[f + degree + 1] - m_knots[f + 1]);
+      result[i] = divided[i] * (x - m_knots[f]);
+      if(i < 3)
+        result[i] += divided[i + 1] * (m_knots[f + degree + 1] - x);
     }
+    return result;
+  }
+
+  // returns the derivatives of the functions of `degree`, or one more derivative of them
+  static Row differentiate(const Row& divided, size_type degree)
+  {
+    Row result = {{0, 0, 0, 0}};
+    for(size_type i = 3 - degree; i < 4; ++i)
+      result[i] = double(degree) * (divided[i] - (i < 3 ? divided[i + 1] : 0));
     return result;
   }
 

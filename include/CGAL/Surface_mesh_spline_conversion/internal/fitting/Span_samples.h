@@ -90,18 +90,16 @@ public:
     const double begin = m_basis.span_begin(span), length = m_basis.span_end(span) - begin;
     const double eta = length / double(n);
     std::array<double, n + 1> arc_length, slope;
-    double shift = 0;
     for(std::size_t i = 0; i <= n; ++i)
     {
       const double x = begin + length * (double(i) / double(n));
       const Cubic_spline_basis::Values values = m_basis.values(span, x);
-      const double s = m_target.arc_length(x), speed = m_target.speed(x);
-      const Curve_foot foot = closer_foot(evaluate(values, m_polygon, 0),
-                                          m_target.curve_foot(s + shift), m_target);
+      const Curve_foot start = m_target.foot(x);
+      const Curve_foot foot = closer_foot(evaluate(values, m_polygon, 0), start, m_target);
       arc_length[i] = foot.arc_length;
-      shift = arc_length[i] - s;
       slope[i] = evaluate(values, m_polygon, 1).dot(foot.tangent);
-      if(!(std::abs(shift) <= largest_shift * speed)
+      const double speed = m_target.derivative(x).norm();
+      if(!(std::abs(foot.arc_length - start.arc_length) <= largest_shift * speed)
          || !(slope[i] >= slowest * speed && slowest * slope[i] <= speed))
         return false;
       samples.point[i] = foot.point;

@@ -77,8 +77,13 @@ private:
     Curve_foot foot;
   };
 
-  // an unknown, and what it adds to the point of a sample
-  typedef std::pair<int, Eigen::Vector3d> Term;
+  // an unknown, and where it moves one of the four control points of a span
+  struct Term
+  {
+    int unknown;
+    std::size_t function;
+    Eigen::Vector3d direction;
+  };
 
   void make_samples()
   {
@@ -88,10 +93,10 @@ private:
       for(std::size_t k = 0; k < boole_weights.size(); ++k)
       {
         const double x = begin + length * (double(k) / 4);
-        const double s = m_target.arc_length(x);
+        const Curve_foot foot = m_target.foot(x);
         m_samples.push_back({m_basis.values(span, x), boole_weights[k] * length,
-                             (std::min)(1., m_tangential_weight / (length * length)), s,
-                             m_target.curve_foot(s)});
+                             (std::min)(1., m_tangential_weight / (length * length)),
+                             foot.arc_length, foot});
       }
     }
   }
@@ -102,18 +107,18 @@ private:
                           const Control_polygon& polygon) const
   {
     std::vector<Term> result;
+    result.reserve(12);
     const std::size_t n = polygon.size();
     for(std::size_t i = 0; i < 4; ++i)
     {
       const std::size_t f = values.functions[i];
-      const double value = values.derivatives[0][i];
       if(m_is_periodic || (f > 1 && f + 2 < n))
         for(int d = 0; d < 3; ++d)
-          result.emplace_back(first_unknown(f) + d, value * Eigen::Vector3d::Unit(d));
+          result.push_back({first_unknown(f) + d, i, Eigen::Vector3d::Unit(d)});
       else if(f == 1)
-        result.emplace_back(0, value * (polygon[1] - polygon[0]));
+        result.push_back({0, i, polygon[1] - polygon[0]});
       else if(f + 2 == n)
-        result.emplace_back(first_unknown(f), value * (polygon[n - 2] - polygon[n - 1]));
+        result.push_back({first_unknown(f), i, polygon[n - 2] - polygon[n - 1]});
     }
     return result;
   }
@@ -139,9 +144,47 @@ private:
       right_hand_side.segment<3>(first) = point - evaluate(values, polygon, 0);
       for(const Term& term : terms(values, polygon))
         for(int d = 0; d < 3; ++d)
-          entries.emplace_back(first + d, term.first, term.second[d]);
+          entries.emplace_back(first + d, term.unknown,
+                               values.derivatives[0][term.function] * term.direction[d]);
       for(int d = 0; d < 3; ++d, ++first)
         entries.emplace_back(first, first, multiplier_regularization);
+    }
+  }
+
+  // adds the samples of a span, which depend on the same control points
+  void add_span(std::size_t span, const Control_polygon& polygon,
+                std::vector<Eigen::Triplet<double> >& entries,
+                Eigen::VectorXd& right_hand_side) const
+  {
+    Eigen::Matrix<double, 12, 12> products = Eigen::Matrix<double, 12, 12>::Zero();
+    Eigen::Matrix<double, 3, 4> residuals = Eigen::Matrix<double, 3, 4>::Zero();
+    const auto first = m_samples.begin() + std::ptrdiff_t(span * boole_weights.size());
+    for(auto it = first; it != first + boole_weights.size(); ++it)
+    {
+      const Eigen::Vector3d& tangent = it->foot.tangent;
+      const Eigen::Matrix3d weight
+        = it->weight * (Eigen::Matrix3d::Identity()
+                        - (1 - it->tangential_weight) * tangent * tangent.transpose());
+      const Eigen::Vector3d residual
+        = weight * (it->foot.point + (it->first_arc_length - it->foot.arc_length) * tangent
+                    - evaluate(it->values, polygon, 0));
+      const Cubic_spline_basis::Row& row = it->values.derivatives[0];
+      for(int i = 0; i < 4; ++i)
+      {
+        residuals.col(i) += row[i] * residual;
+        for(int j = 0; j < 4; ++j)
+          products.block<3, 3>(3 * i, 3 * j) += (row[i] * row[j]) * weight;
+      }
+    }
+    const std::vector<Term> span_terms = terms(first->values, polygon);
+    for(const Term& a : span_terms)
+    {
+      right_hand_side[a.unknown] += a.direction.dot(residuals.col(a.function));
+      for(const Term& b : span_terms)
+        if(b.unknown <= a.unknown)
+          entries.emplace_back(a.unknown, b.unknown,
+                               a.direction.dot(products.block<3, 3>(3 * a.function, 3 * b.function)
+                                               * b.direction));
     }
   }
 
@@ -150,26 +193,8 @@ private:
     const int n = number_of_unknowns() + 3 * static_cast<int>(m_joints.size());
     std::vector<Eigen::Triplet<double> > entries;
     Eigen::VectorXd right_hand_side = Eigen::VectorXd::Zero(n);
-    for(const Sample& sample : m_samples)
-    {
-      const Eigen::Vector3d& tangent = sample.foot.tangent;
-      const Eigen::Matrix3d weight
-        = sample.weight * (Eigen::Matrix3d::Identity()
-                           - (1 - sample.tangential_weight) * tangent * tangent.transpose());
-      const Eigen::Vector3d residual
-        = weight * (sample.foot.point
-                    + (sample.first_arc_length - sample.foot.arc_length) * tangent
-                    - evaluate(sample.values, polygon, 0));
-      const std::vector<Term> row = terms(sample.values, polygon);
-      for(const Term& a : row)
-      {
-        right_hand_side[a.first] += a.second.dot(residual);
-        const Eigen::Vector3d weighted = weight * a.second;
-        for(const Term& b : row)
-          if(b.first <= a.first)
-            entries.emplace_back(a.first, b.first, weighted.dot(b.second));
-      }
-    }
+    for(std::size_t span = 0; span < m_basis.number_of_spans(); ++span)
+      add_span(span, polygon, entries, right_hand_side);
     add_joints(polygon, number_of_unknowns(), entries, right_hand_side);
     Eigen::SparseMatrix<double> matrix(n, n);
     matrix.setFromTriplets(entries.begin(), entries.end());
