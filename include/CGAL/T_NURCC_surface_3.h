@@ -360,6 +360,12 @@ public:
   /// and sum up to one. Patches are split at convex corners only, or next to other T-junctions.
   void refine_boundary(const std::vector<Boundary_span>& spans);
 
+  /// halves knot intervals of the boundary, on row 0 alone, until none of them has one of the given
+  /// parameters inside, as far as there is a finer size, and refines what has to be refined with
+  /// them, see `refine_boundary()`. The parameters of each chain are in increasing order.
+  /// \pre `knots.size() == number_of_boundary_chains()`
+  void refine_boundary_to(const std::vector<std::vector<FT> >& knots);
+
   /// @}
   /// \name Export
   /// @{
@@ -453,7 +459,11 @@ private:
 
   template <typename Marker>
   void refine_marked(const Marker& mark);
+  template <typename Visitor>
+  void for_each_boundary_edge(size_type chain, const Visitor& visit) const;
   void mark_spans(const std::vector<Boundary_span>& spans, Closure& closure) const;
+  void mark_intervals_around(size_type chain, const std::vector<FT>& knots,
+                             Closure& closure) const;
   bool is_chain_end(Vertex v) const;
   Bezier_element regular_element(size_type i, const Regular_element& e) const;
   void add_positions(const Patch& patch, const Regular_element& e, size_type nu, size_type nv,

@@ -17,7 +17,6 @@ public:
   typedef std::size_t size_type;
   typedef double FT;
   typedef Point Point_3;
-  struct Boundary_span { size_type chain; double x0, x1; };
   struct Patch_split { size_type patch; bool u, v; };
   struct Basis_function { size_type control_point; std::array<double, 6> value; };
   struct Patch_origin { size_type quad; double u0, v0, u1, v1; };
@@ -178,23 +177,23 @@ public:
   template <typename Marks>
   void refine(const Marks&) { refine_uniformly(); }
 
-  void refine_boundary(const std::vector<Boundary_span>& spans)
+  void refine_boundary_to(const std::vector<std::vector<double> >& knots)
   {
-    for(const Boundary_span& s : spans)
-    {
-      const auto sides = m_layout.chain_sides(s.chain);
-      const int side = sides.front().second, d = side % 2;
-      double x = (s.x0 + s.x1) / 2;
-      if(m_is_periodic)
+    for(size_type chain = 0; chain < knots.size(); ++chain)
+      for(double x : knots[chain])
       {
-        const double column = double(sides.front().first % m_m);
-        x = side == 0 ? x + column : column + 1 - x;
-        x -= m_m * std::floor(x / m_m);
+        const auto sides = m_layout.chain_sides(chain);
+        const int side = sides.front().second, d = side % 2;
+        if(m_is_periodic)
+        {
+          const double column = double(sides.front().first % m_m);
+          x = side == 0 ? x + column : column + 1 - x;
+          x -= m_m * std::floor(x / m_m);
+        }
+        else if(side >= 2)
+          x = (d == 0 ? m_m : m_n) - x;
+        insert(d, x);
       }
-      else if(side >= 2)
-        x = (d == 0 ? m_m : m_n) - x;
-      insert(d, x);
-    }
     update();
   }
 

@@ -276,39 +276,24 @@ private:
                                   m_options.maximum_number_of_patches);
       m_chains[c] = std::move(plan);
     });
-    bool is_refined = false;
-    for(;;)
-    {
-      const auto spans = spans_to_bisect();
-      if(spans.empty() || m_surface.number_of_patches() >= m_options.maximum_number_of_patches)
-        return is_refined;
-      const size_type size = m_surface.number_of_control_points();
-      m_surface.refine_boundary(spans);
-      if(m_surface.number_of_control_points() == size)
-        return is_refined;
-      is_refined = true;
-    }
+    if(m_surface.number_of_patches() >= m_options.maximum_number_of_patches)
+      return false;
+    const size_type size = m_surface.number_of_control_points();
+    m_surface.refine_boundary_to(planned_knots());
+    return m_surface.number_of_control_points() > size;
   }
 
-  // returns the spans of the surface that have a planned knot inside
-  std::vector<typename Surface::Boundary_span> spans_to_bisect() const
+  // returns the planned knots of the chains that have not reached the goal
+  std::vector<std::vector<FT> > planned_knots() const
   {
-    std::vector<typename Surface::Boundary_span> spans;
+    std::vector<std::vector<FT> > result(m_chains.size());
     for(size_type c = 0; c < m_chains.size(); ++c)
-    {
-      if(m_is_met[c])
-        continue;
-      const Cubic_spline_basis basis = knots(c).basis();
-      for(size_type span = 0; span < basis.number_of_spans(); ++span)
+      if(!m_is_met[c])
       {
-        const double begin = basis.span_begin(span), end = basis.span_end(span);
         const std::vector<double>& planned = m_chains[c].chain.knots.knots;
-        const auto it = std::upper_bound(planned.begin(), planned.end(), begin);
-        if(it != planned.end() && *it < end)
-          spans.push_back({c, begin, end});
+        result[c].assign(planned.begin(), planned.end());
       }
-    }
-    return spans;
+    return result;
   }
 
   void record(size_type iteration, double seconds)

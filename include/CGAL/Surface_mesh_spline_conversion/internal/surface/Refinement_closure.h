@@ -69,6 +69,8 @@ public:
       m_boundary_marks.push_back(h);
   }
 
+  bool has_marks() const { return !m_marks.empty() || !m_boundary_marks.empty(); }
+
   // bisects the marked faces and restores all rules; \pre the mesh is up to date
   void run()
   {
@@ -102,8 +104,6 @@ private:
       mark_crossings();
     return has_marks();
   }
-
-  bool has_marks() const { return !m_marks.empty() || !m_boundary_marks.empty(); }
 
   void apply_marks()
   {

@@ -24,31 +24,21 @@ template <typename K>
 typename T_NURCC_surface_3<K>::Boundary_curve
 T_NURCC_surface_3<K>::boundary_curve(size_type chain) const
 {
-  using namespace Surface_mesh_spline_conversion::internal;
   Boundary_curve curve;
   curve.is_closed = m_chain_is_closed[chain];
-  const Vertex start = m_chain_starts[chain];
-  std::vector<FT> positions;
-  Ticks x = 0;
-  Vertex v = start;
-  do
+  curve.control_points.push_back(m_chain_starts[chain]);
+  std::vector<FT> positions(1, FT(0));
+  for_each_boundary_edge(chain, [&](Halfedge h, double, double end)
   {
-    curve.control_points.push_back(v);
-    positions.push_back(to_parameter(x));
-    const Halfedge h = m_mesh.star(v).out[0]; // a boundary vertex begins with its boundary edge
-    x += m_mesh.length(h);
-    v = m_mesh.target(h);
-  }
-  while(v != start && (curve.is_closed || !is_chain_end(v)));
-
+    curve.control_points.push_back(m_mesh.target(h));
+    positions.push_back(FT(end));
+  });
   if(curve.is_closed)
   {
+    curve.control_points.pop_back(); // the first one again
     curve.knots = positions;
-    curve.knots.push_back(to_parameter(x));
     return curve;
   }
-  curve.control_points.push_back(v);
-  positions.push_back(to_parameter(x));
   curve.knots.assign(2, positions.front());
   curve.knots.insert(curve.knots.end(), positions.begin(), positions.end());
   curve.knots.insert(curve.knots.end(), 2, positions.back());
@@ -62,6 +52,25 @@ bool T_NURCC_surface_3<K>::is_chain_end(Vertex v) const
     if(m_chain_starts[c] == v && !m_chain_is_closed[c])
       return true;
   return false;
+}
+
+// calls `visit(h, begin, end)` for the edges of a chain, with their intervals of parameters
+template <typename K>
+template <typename Visitor>
+void T_NURCC_surface_3<K>::for_each_boundary_edge(size_type chain, const Visitor& visit) const
+{
+  using namespace Surface_mesh_spline_conversion::internal;
+  Ticks x = 0;
+  Vertex v = m_chain_starts[chain];
+  do
+  {
+    const Halfedge h = m_mesh.star(v).out[0]; // a boundary vertex begins with its boundary edge
+    const Ticks begin = x;
+    x += m_mesh.length(h);
+    visit(h, to_parameter(begin), to_parameter(x));
+    v = m_mesh.target(h);
+  }
+  while(v != m_chain_starts[chain] && (m_chain_is_closed[chain] || !is_chain_end(v)));
 }
 
 // changes the T-mesh, and computes the new control points
@@ -149,7 +158,6 @@ template <typename K>
 void T_NURCC_surface_3<K>::mark_spans(const std::vector<Boundary_span>& spans,
                                       Closure& closure) const
 {
-  using namespace Surface_mesh_spline_conversion::internal;
   for(size_type c = 0; c < number_of_boundary_chains(); ++c)
   {
     std::vector<const Boundary_span*> spans_of_chain;
@@ -158,21 +166,45 @@ void T_NURCC_surface_3<K>::mark_spans(const std::vector<Boundary_span>& spans,
         spans_of_chain.push_back(&span);
     if(spans_of_chain.empty())
       continue;
-    Ticks x = 0;
-    Vertex v = m_chain_starts[c];
-    do
+    for_each_boundary_edge(c, [&](Halfedge h, double begin, double end)
     {
-      const Halfedge h = m_mesh.star(v).out[0];
-      const double x0 = to_parameter(x);
-      x += m_mesh.length(h);
-      const double x1 = to_parameter(x);
       for(const Boundary_span* span : spans_of_chain)
-        if(x0 < x1 && CGAL::to_double(span->x0) < x1 && x0 < CGAL::to_double(span->x1))
+        if(begin < end && CGAL::to_double(span->x0) < end && begin < CGAL::to_double(span->x1))
           closure.mark_boundary(h);
-      v = m_mesh.target(h);
-    }
-    while(v != m_chain_starts[c] && (m_chain_is_closed[c] || !is_chain_end(v)));
+    });
   }
+}
+
+template <typename K>
+void T_NURCC_surface_3<K>::refine_boundary_to(const std::vector<std::vector<FT> >& knots)
+{
+  change_mesh([&, this](T_mesh& mesh, std::vector<std::int64_t>& units)
+  {
+    for(;;)
+    {
+      Closure closure(mesh, units);
+      for(size_type c = 0; c < number_of_boundary_chains(); ++c)
+        mark_intervals_around(c, knots[c], closure);
+      if(!closure.has_marks())
+        return;
+      closure.run();
+    }
+  });
+}
+
+// marks the intervals of a chain that have one of the given knots inside
+template <typename K>
+void T_NURCC_surface_3<K>::mark_intervals_around(size_type chain, const std::vector<FT>& knots,
+                                                 Closure& closure) const
+{
+  if(knots.empty())
+    return;
+  for_each_boundary_edge(chain, [&](Halfedge h, double begin, double end)
+  {
+    const auto it = std::upper_bound(knots.begin(), knots.end(), FT(begin));
+    if(it != knots.end() && *it < FT(end))
+      closure.mark_boundary(h);
+  });
 }
 
 template <typename K>
