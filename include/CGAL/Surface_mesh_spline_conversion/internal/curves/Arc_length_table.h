@@ -54,16 +54,16 @@ struct Gauss_legendre_rule
   }
 };
 
-// Calls f(k, P_k(x), integral of P_k from -1 to x) for the Legendre polynomials P_k, k < n.
+// Calls f(k, P_k(x), integral of P_k from -1 to x) for the Legendre polynomials P_k, k < last <= n.
 template <int n, typename FT>
 class Legendre_polynomials
 {
 public:
   template <typename Function>
-  static void for_each(const FT& x, const Function& f)
+  static void for_each(const FT& x, int last, const Function& f)
   {
     FT previous(-1), current(1); // P_{-1} = -1 makes the formula of the integral fit P_0, too
-    for(int k = 0; k < n; ++k)
+    for(int k = 0; k < last; ++k)
     {
       const FT next = factors[k].of_x * x * current - factors[k].of_previous * previous;
       f(k, current, factors[k].of_integral * (next - previous));
@@ -193,6 +193,7 @@ private:
     FT first, second; // parameters at the ends
     size_type edge;
     std::array<FT, number_of_coefficients> speed; // ds/dx in Legendre form, x in [-1,1]
+    int number_of_terms;                          // those after them are rounding only
   };
 
   template <typename Speed>
@@ -208,10 +209,15 @@ private:
     Rule::for_each_point([&](const FT& x, const FT& weight)
     {
       const FT value = std::abs(half_width) * speed(middle + x * half_width);
-      Polynomials::for_each(x, [&](int k, const FT& p, const FT&)
+      Polynomials::for_each(x, number_of_coefficients, [&](int k, const FT& p, const FT&)
         { piece.speed[k] += FT(2 * k + 1) / FT(2) * weight * value * p; });
     });
     piece.length = FT(2) * piece.speed[0];
+    const FT relative_rounding(1e-14);
+    piece.number_of_terms = number_of_coefficients;
+    while(piece.number_of_terms > 1
+          && std::abs(piece.speed[piece.number_of_terms - 1]) <= relative_rounding * piece.speed[0])
+      --piece.number_of_terms;
     return piece;
   }
 
@@ -251,8 +257,7 @@ private:
   static std::pair<FT, FT> length_and_speed(const Piece& piece, const FT& x)
   {
     std::pair<FT, FT> result(FT(0), FT(0));
-    Polynomials::for_each(x,
-                                 [&](int k, const FT& p, const FT& integral)
+    Polynomials::for_each(x, piece.number_of_terms, [&](int k, const FT& p, const FT& integral)
     {
       result.first += piece.speed[k] * integral;
       result.second += piece.speed[k] * p;
