@@ -395,6 +395,50 @@ void test_boundary_refinement(Layout<K> layout, double share_of_corners, unsigne
             << " patches, " << surface.number_of_t_junctions() << " T-junctions" << std::endl;
 }
 
+// all knots at once give the surface of the step-by-step bisection of the spans around them
+template <typename K>
+void test_boundary_refinement_to_knots(Layout<K> layout, unsigned int seed)
+{
+  std::mt19937 generator(seed);
+  add_chains(layout, 0.3, generator);
+  const Surface<K> start(layout);
+  assert(start.error() == Surface<K>::Error_code::OK);
+  std::vector<std::vector<double> > knots(start.number_of_boundary_chains());
+  for(std::size_t c = 0; c < knots.size(); c += 2) // the other chains are left as they are
+  {
+    const double last = start.boundary_curve(c).knots.back();
+    for(int i = 0; i < 2; ++i)
+      knots[c].push_back(last * double(generator() % 16) / 16);
+    std::sort(knots[c].begin(), knots[c].end());
+  }
+  Surface<K> at_once = start, step_by_step = start;
+  at_once.refine_boundary_to(knots);
+  assert(at_once.is_valid());
+  for(std::vector<typename Surface<K>::Boundary_span> spans(1); !spans.empty();)
+  {
+    spans.clear();
+    for(std::size_t c = 0; c < knots.size(); ++c)
+    {
+      const auto present = step_by_step.boundary_curve(c).knots;
+      for(std::size_t i = 0; i + 1 < present.size(); ++i)
+        for(const double x : knots[c])
+          if(present[i] < x && x < present[i + 1])
+            spans.push_back({c, present[i], present[i + 1]});
+    }
+    step_by_step.refine_boundary(spans);
+  }
+  for(std::size_t c = 0; c < knots.size(); ++c)
+  {
+    const auto curve = at_once.boundary_curve(c);
+    assert(curve.knots == step_by_step.boundary_curve(c).knots);
+    for(const double x : knots[c])
+      assert(std::binary_search(curve.knots.begin(), curve.knots.end(), x));
+  }
+  assert(at_once.number_of_patches() == step_by_step.number_of_patches());
+  assert(at_once.number_of_control_points() == step_by_step.number_of_control_points());
+  assert(largest_boundary_difference(start, at_once) < 1e-12);
+}
+
 template <typename K>
 void test_kernel(unsigned int number_of_seeds)
 {
@@ -412,6 +456,11 @@ void test_kernel(unsigned int number_of_seeds)
         test_boundary_refinement<K>(fan_layout<K>(seed == 0 ? 3 : 4 + int(seed), m), share, seed);
       test_boundary_refinement<K>(cubes_layout<K>(stairs(), true), share, seed);
     }
+  for(unsigned int seed = 0; seed < 5 * number_of_seeds; ++seed)
+  {
+    test_boundary_refinement_to_knots<K>(grid_layout<K>(2 + seed % 4, 4), seed);
+    test_boundary_refinement_to_knots<K>(cubes_layout<K>(stairs(), true), seed);
+  }
 }
 
 // repeated refinement at one place of a large grid stays near that place

@@ -39,7 +39,7 @@ struct Circle
     return w * at(-std::sin(angle(x)), std::cos(angle(x)));
   }
   double arc_length(double x) const { return angle(x); } // the radius is one
-  double speed(double x) const { return derivative(x).norm(); }
+  internal::Curve_foot foot(double x) const { return curve_foot(arc_length(x)); }
   Eigen::Vector3d curve_point(double s) const { return at(std::cos(s), std::sin(s)); }
   internal::Curve_foot curve_foot(double s) const
   {
@@ -228,8 +228,9 @@ struct Line_and_arc
   {
     return {s, curve_point(s), Eigen::Vector3d(std::cos(angle(s)), std::sin(angle(s)), 0)};
   }
-  Eigen::Vector3d point(double x) const { return curve_point(arc_length(x)); }
-  Eigen::Vector3d derivative(double x) const { return speed(x) * curve_foot(arc_length(x)).tangent; }
+  internal::Curve_foot foot(double x) const { return curve_foot(arc_length(x)); }
+  Eigen::Vector3d point(double x) const { return foot(x).point; }
+  Eigen::Vector3d derivative(double x) const { return speed(x) * foot(x).tangent; }
 };
 
 // where short spans are needed, the spline runs along the curve about as fast as the target

@@ -213,7 +213,7 @@ private:
         { piece.speed[k] += FT(2 * k + 1) / FT(2) * weight * value * p; });
     });
     piece.length = FT(2) * piece.speed[0];
-    const FT relative_rounding(1e-14);
+    const FT relative_rounding(1e-14); // of a coefficient
     piece.number_of_terms = number_of_coefficients;
     while(piece.number_of_terms > 1
           && std::abs(piece.speed[piece.number_of_terms - 1]) <= relative_rounding * piece.speed[0])

@@ -90,7 +90,7 @@ public:
   Values values(size_type span, double x) const
   {
     const size_type last = m_spans[span]; // m_knots[last] <= x <= m_knots[last + 1]
-    // degree 0 first, where entry 3 belongs to the function `last`
+    // divided for the next degree; of degree 0 there is the function `last` only
     const Row linear = divide(raise(divide({{0, 0, 0, 1}}, 1, last), 1, last, x), 2, last);
     const Row quadratic = divide(raise(linear, 2, last, x), 3, last);
 

@@ -24,6 +24,10 @@ namespace CGAL {
 namespace Surface_mesh_spline_conversion {
 namespace internal {
 
+// A `CurveTarget` whose shape is fitted also has the functions `Curve_foot foot(double x)`, the place
+// at a parameter of the spline, and by arc length `Curve_foot curve_foot(double s)` and
+// `Eigen::Vector3d curve_point(double s)`.
+
 // a place on a curve, with the unit tangent there
 struct Curve_foot
 {
