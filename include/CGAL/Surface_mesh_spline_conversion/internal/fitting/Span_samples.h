@@ -73,10 +73,11 @@ Curve_foot closer_foot(const Eigen::Vector3d& p, const Curve_foot& foot, CurveTa
 
 // Samples a curve next to the points of a spline.
 //
-// At the ends of the pieces, one step leads to the points that are closest to those of the spline;
-// in between, the arc length is the cubic polynomial with the values and slopes there. Where it
-// increases, the spline and the curve are compared along a continuous one-to-one correspondence, so
-// that a bound of their distances is a bound of the Hausdorff distance, whatever points are chosen.
+// At the ends of the pieces, one step leads from the places at equal parameters next to the points
+// that are closest to those of the spline; in between, the arc length is the cubic polynomial with
+// the values and slopes there. Where it increases, the spline and the curve are compared along a
+// continuous one-to-one correspondence, so that a bound of their distances is a bound of the
+// Hausdorff distance, whatever points are chosen.
 template <typename CurveTarget>
 class Foot_sampler
 {

@@ -178,6 +178,7 @@ void T_NURCC_surface_3<K>::mark_spans(const std::vector<Boundary_span>& spans,
 template <typename K>
 void T_NURCC_surface_3<K>::refine_boundary_to(const std::vector<std::vector<FT> >& knots)
 {
+  CGAL_precondition(knots.size() == number_of_boundary_chains());
   change_mesh([&, this](T_mesh& mesh, std::vector<std::int64_t>& units)
   {
     for(;;)
