@@ -117,7 +117,7 @@ private:
     double radius = 0, gap;
     for(const Eigen::Vector3d& p : piece.points)
       radius = (std::max)(radius, (p - center).norm());
-    const double boundary_distance = m_mesh.boundary_distance(center, gap);
+    const double boundary_distance = m_mesh.boundary_distance(center, m_band, gap);
     Part result{0, 0, boundary_distance + radius <= m_band};
     if(result.is_in_band)
       return result;

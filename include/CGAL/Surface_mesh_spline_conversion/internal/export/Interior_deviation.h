@@ -265,7 +265,7 @@ private:
   double excess(const Eigen::Vector3d& p, double distance) const
   {
     double gap;
-    const double outer = m_band - m_mesh.boundary_distance(p, gap);
+    const double outer = m_band - m_mesh.boundary_distance(p, m_band, gap);
     const double fall = (std::min)(m_band / 2, m_band - gap);
     const double share = outer >= fall ? 1 : (std::max)(0., outer / fall);
     return (std::max)(0., distance - (outer >= 0 ? share * gap : 0));
@@ -414,10 +414,29 @@ private:
     {
       const Eigen::Vector2d at = position(climber) + step * direction;
       const Eigen::Vector2d across = step / 4 * Eigen::Vector2d(-direction[1], direction[0]);
-      if(move_uphill(highest_place(climber, at - across, at + across), climber))
+      if(may_rise(climber, at - across, at + across)
+         && move_uphill(highest_place(climber, at - across, at + across), climber))
         return true;
     }
     return false;
+  }
+
+  // May there be a larger deviation between `a` and `b`? The distance from any one triangle is a
+  // bound, and is convex along a straight line. The curve between the points leaves the line by its
+  // height in the middle; twice of that is on the safe side.
+  bool may_rise(const Climber& climber, const Eigen::Vector2d& a, const Eigen::Vector2d& b) const
+  {
+    if(!is_inside(a) || !is_inside(b))
+      return true;
+    const Bezier_piece& piece = m_pieces[climber.sample.piece];
+    const Eigen::Vector2d m = (a + b) / 2;
+    const Eigen::Vector3d p = piece.point(a[0], a[1]), q = piece.point(b[0], b[1]);
+    const Eigen::Vector3d middle = piece.point(m[0], m[1]);
+    std::size_t triangle = climber.sample.triangle;
+    m_mesh.foot(middle, triangle);
+    const double bound = (std::max)(m_mesh.distance_to_triangle(p, triangle),
+                                    m_mesh.distance_to_triangle(q, triangle));
+    return bound + 2 * (middle - (p + q) / 2).norm() > climber.summit.deviation;
   }
 
   // the place between `a` and `b` with the largest deviation
@@ -468,6 +487,11 @@ private:
       result[i] = Eigen::Vector2d(std::cos(angle), std::sin(angle));
     }
     return result;
+  }
+
+  static bool is_inside(const Eigen::Vector2d& uv)
+  {
+    return 0 <= uv.minCoeff() && uv.maxCoeff() <= 1;
   }
 
   static double clamped(double t) { return (std::min)(1., (std::max)(0., t)); }

@@ -103,15 +103,23 @@ public:
     return std::sqrt(CGAL::squared_distance(point(p), m_triangles[triangle]));
   }
 
-  /// the distance from the boundary, infinite if there is none, and the chord gap there
-  double boundary_distance(const Eigen::Vector3d& p, double& chord_gap) const
+  /// the distance from the boundary, infinite if it is not less than `limit`, and the chord gap there
+  double boundary_distance(const Eigen::Vector3d& p, double limit, double& chord_gap) const
   {
+    constexpr double FARTHER = 1.01;
+    const Kernel::Point_3 query = point(p);
     chord_gap = 0;
     if(m_segments.empty())
       return (std::numeric_limits<double>::infinity)();
-    const auto closest = m_segment_tree.closest_point_and_primitive(point(p));
+    // only what is closer than this point, which is on no segment, need be searched
+    const auto start = Segment_tree::Point_and_primitive_id(
+      query + Kernel::Vector_3(FARTHER * limit, 0, 0), m_segments.begin());
+    const auto closest = m_segment_tree.closest_point_and_primitive(query, start);
+    const double distance = (to_eigen(closest.first) - p).norm();
+    if(!(distance < limit))
+      return (std::numeric_limits<double>::infinity)();
     chord_gap = m_chord_gaps[std::size_t(closest.second - m_segments.begin())];
-    return (to_eigen(closest.first) - p).norm();
+    return distance;
   }
 
 private:
