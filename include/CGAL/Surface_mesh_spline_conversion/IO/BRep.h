@@ -21,6 +21,7 @@
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
 #include <Message_PrinterOStream.hxx>
+#include <STEPControl_Controller.hxx>
 #include <STEPControl_Reader.hxx>
 #include <STEPControl_Writer.hxx>
 #include <TCollection_HAsciiString.hxx>
@@ -124,7 +125,7 @@ inline bool write_BRep(const std::string& filename, const TopoDS_Shape& shape,
     return BRepTools::Write(shape, filename.c_str());
   if(internal::unit_name(unit).empty())
     return false;
-  STEPControl_Writer writer;
+  STEPControl_Controller::Init();
   Interface_Static::SetCVal("xstep.cascade.unit", "MM");
   Interface_Static::SetCVal("write.step.unit", internal::unit_name(unit).c_str());
   // By default the uncertainty is the mean of the tolerances. Where an edge deviates more from a
@@ -132,6 +133,7 @@ inline bool write_BRep(const std::string& filename, const TopoDS_Shape& shape,
   // points.
   const int largest_tolerance = 1;
   Interface_Static::SetIVal("write.precision.mode", largest_tolerance);
+  STEPControl_Writer writer; // takes the factor of the unit when it is made
   if(writer.Transfer(shape, STEPControl_AsIs) != IFSelect_RetDone)
     return false;
   APIHeaderSection_MakeHeader header(writer.Model());
