@@ -27,6 +27,8 @@
 #include <TCollection_HAsciiString.hxx>
 #include <TopoDS_Shape.hxx>
 
+#include <algorithm>
+#include <cctype>
 #include <map>
 #include <string>
 
@@ -40,10 +42,12 @@ inline void silence_open_cascade()
   Message::DefaultMessenger()->RemovePrinters(STANDARD_TYPE(Message_PrinterOStream));
 }
 
+/// does the name end in `extension`, in lower or upper case?
 inline bool has_extension(const std::string& filename, const std::string& extension)
 {
   return filename.size() >= extension.size()
-      && filename.compare(filename.size() - extension.size(), extension.size(), extension) == 0;
+      && std::equal(extension.rbegin(), extension.rend(), filename.rbegin(),
+                    [](unsigned char a, unsigned char b) { return a == std::tolower(b); });
 }
 
 /// returns the name that Open CASCADE has for a unit of length, or nothing.
