@@ -113,6 +113,8 @@ expect_status(f.json "ok")
 
 expect(0 --help)
 expect(0 ${case} ${tolerances} --quiet --threads 999999999999999)
+expect(0 ${case} ${tolerances} --quiet --quad-size 1e30)
+expect(2 ${case} --quiet --quad-size 1e-30)
 expect(0 ${case}/case.json ${tolerances} --quiet --no-merge)
 expect(0 ${case}/mesh.off ${tolerances} --preset coarse --quiet)
 expect(3 ${case} --relative --xi 1e-9 --delta 1e-3 --max-patches 10 --report ${OUTPUT}/b.json
