@@ -48,7 +48,7 @@ mesh to T-NURCC surface conversion*, Computers & Graphics 82 (2019).
         `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and
         `Curve_segment<BoundaryCurveTraits>` as value type
 \tparam BoundaryCurveTraits a model of `BoundaryCurveTraits_3` with the point type of the mesh
-\tparam K a model of `Kernel` with the point type of the mesh
+\tparam K a model of `Kernel` with the point type of the mesh; its number type is `double`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tm a triangle mesh
