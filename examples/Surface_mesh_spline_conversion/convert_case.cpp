@@ -127,6 +127,17 @@ Mesh_defect read_mesh_with_residual(const Options& options, Case& input,
   return defect;
 }
 
+// Tells if files are asked for in a unit of the case that is not known.
+Mesh_defect check_unit(const Options& options, const Case& input)
+{
+  const bool needs_unit
+    = !options.output.empty() || !options.stitched.empty() || options.is_tangent;
+  if(!needs_unit || SC::internal::STEP_writer<K>::is_unit(input.unit))
+    return {SC::Error_code::OK, std::string()};
+  return {SC::Error_code::INVALID_PARAMETER,
+          "the unit '" + input.unit + "' of the case is none of mm, cm, m, um, and in"};
+}
+
 // Reads whatever the options name.
 Mesh_defect read_input(const Options& options, Case& input, std::vector<std::string>& warnings)
 {
@@ -148,7 +159,7 @@ Mesh_defect read_input(const Options& options, Case& input, std::vector<std::str
   if(defect.code == SC::Error_code::OK && !options.stitched.empty() && input.residual_file.empty())
     return {SC::Error_code::INVALID_PARAMETER,
             "--stitched: the case has no residual model; --residual can name one"};
-  return defect;
+  return defect.code == SC::Error_code::OK ? check_unit(options, input) : defect;
 }
 
 // The library tells the place of the largest deviation by chain and arc length; the report is to
@@ -174,7 +185,8 @@ std::string read_curve_normals(const Options& options, const Case& input, Curve_
   if(input.residual_file.empty())
     return "--tangent needs a residual model";
   Normal_function normal;
-  const std::string error = read_normals(input.residual_file, input.unit, normal);
+  const std::string error = read_normals(input.residual_file, input.mesh, input.unit,
+                                         normal);
   const auto point = input.traits.construct_point_on_curve_3_object();
   const auto derivative = input.traits.construct_derivative_on_curve_3_object();
   normals = [normal, point, derivative](const Case::Curve_3& curve, const K::FT& t)

@@ -53,7 +53,7 @@ A *patch* is a face of the control mesh that is not part of a 0-channel. Points 
 in the local coordinates `(u,v)` in \f$ [0,1]^2 \f$ of its quad of the layout, in the orientation of
 the quad; derivatives are taken with respect to these coordinates.
 
-\tparam K a model of `Kernel` with a floating point number type
+\tparam K a model of `Kernel` with `double` as number type
 */
 template <typename K>
 class T_NURCC_surface_3

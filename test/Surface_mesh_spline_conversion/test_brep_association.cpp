@@ -2,10 +2,14 @@
 // edge with a seam, and the four edges of a window.
 #include "brep_models.h"
 
+#include <CGAL/Random.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_spline_conversion/Boundary_curve_network_3.h>
-#include <CGAL/number_type_config.h>
+#include <CGAL/Surface_mesh_spline_conversion/IO/BRep.h>
+#include <CGAL/Surface_mesh_spline_conversion/IO/read_case.h>
 #include <CGAL/Surface_mesh_spline_conversion/associate_boundary_with_BRep.h>
+#include <CGAL/config.h>
+#include <CGAL/number_type_config.h>
 
 #include <cassert>
 #include <iostream>
@@ -108,6 +112,51 @@ void check_window()
            || std::abs(network.length(c) - (c % 2 == 0 ? 30 : 60)) < 1e-9);
 }
 
+// Vertices next to the ends of edges, as they are in files of single precision: there the curves end,
+// and meet. The boundary of the residual model is one closed spline with a corner at its seam.
+void check_inexact_mesh(const Mesh& exact, const TopoDS_Shape& shape, std::size_t corners)
+{
+  const double noise = 3e-7 * CGAL::to_double(SMSC::smallest_enclosing_sphere_diameter(exact));
+  CGAL::Random random(7);
+  for(int run = 0; run < 10; ++run)
+  {
+    Mesh mesh = exact;
+    for(Point_3& p : mesh.points())
+      p = p + K::Vector_3(random.get_double(-noise, noise), random.get_double(-noise, noise),
+                          random.get_double(-noise, noise));
+    Segment_map segments;
+    std::string message;
+    assert(associate(mesh, shape, segments, message) == SMSC::Error_code::OK);
+    const Traits traits;
+    const auto point = traits.construct_point_on_curve_3_object();
+    for(const Mesh::Halfedge_index h : mesh.halfedges())
+    {
+      if(!mesh.is_border(h))
+        continue;
+      const Segment& next = segments[mesh.opposite(h)];
+      const Segment& s = segments[mesh.opposite(mesh.next(h))];
+      assert(CGAL::squared_distance(point(s.curve, s.second), point(next.curve, next.first))
+             < 1e-24);
+    }
+    const SMSC::Boundary_curve_network_3<Mesh, Traits> network(mesh, segments, traits);
+    assert(network.error() == SMSC::Error_code::OK);
+    assert(network.number_of_chains() == corners);
+  }
+}
+
+void check_inexact_meshes()
+{
+  check_inexact_mesh(fan(Point_3(0, 0, 30), circle(12, 0, 1)), open_cylinder(), 1);
+  check_inexact_mesh(fan(Point_3(50, 30, 46), window(true)), box_with_window(), 4);
+  SMSC::Conversion_case<K> input;
+  TopoDS_Shape shape;
+  std::string message;
+  const std::string folder = CGAL::data_file_path("cases/d2_square_corner");
+  assert(CGAL::IO::read_case(folder, input, message));
+  assert(CGAL::IO::read_BRep(folder + "/residual.step", shape, message));
+  check_inexact_mesh(input.mesh, shape, 1);
+}
+
 // Errors name the vertices.
 void check_errors()
 {
@@ -144,6 +193,7 @@ int main()
   check_circle(7, 0.3, 1); // a periodic curve needs no vertex at its seam
   check_circle(7, 0.3, -1);
   check_window();
+  check_inexact_meshes();
   check_errors();
   return 0;
 }

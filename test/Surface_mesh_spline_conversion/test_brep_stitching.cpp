@@ -45,6 +45,23 @@ void check_files(const TopoDS_Shape& shape, const SMSC::Stitching_report& report
   }
 }
 
+// The unit of a STEP file changes neither the model nor the files that are written after it.
+void test_units()
+{
+  const char* filename = "test_brep_stitching_units.step";
+  const double volume = SMSC::measure_BRep(BRepPrimAPI_MakeBox(10, 20, 30).Shape()).volume;
+  for(const std::string unit : {"in", "mm", "m", "um", "cm", "mm"})
+  {
+    TopoDS_Shape copy;
+    std::string message;
+    assert(CGAL::IO::write_BRep(filename, BRepPrimAPI_MakeBox(10, 20, 30).Shape(), unit));
+    assert(CGAL::IO::read_BRep(filename, copy, message));
+    assert(std::abs(SMSC::measure_BRep(copy).volume - volume) < 1e-9 * volume);
+  }
+  assert(!CGAL::IO::write_BRep(filename, BRepPrimAPI_MakeBox(10, 20, 30).Shape(), "furlong"));
+  std::remove(filename);
+}
+
 // A gap in the plane of the neighbouring face leaves no trace in the tolerances of edges.
 void test_window(std::size_t m, std::size_t n)
 {
@@ -145,5 +162,6 @@ int main()
   test_disk();
   test_wavy_disk();
   test_orientation();
+  test_units();
   return 0;
 }

@@ -163,6 +163,24 @@ struct Interrupting_visitor : SC::Default_visitor
   bool go_further() { return stages_left > 0; }
 };
 
+// Vertices next to their curves: the accepted distance is a share of the diameter of the whole mesh,
+// not of the component.
+void test_inexact_vertices()
+{
+  Case input;
+  std::string message;
+  assert(CGAL::IO::read_case(CGAL::data_file_path("cases/d4_bracket_simp"), input, message));
+  const double diameter = SC::smallest_enclosing_sphere_diameter(input.mesh);
+  for(K::Point_3& p : input.mesh.points())
+    p = p + K::Vector_3(0.9e-6 * diameter, 0, 0);
+  std::vector<Surface> surfaces;
+  SC::Conversion_report report;
+  Interrupting_visitor visitor(1);
+  assert(SC::convert_to_T_NURCC(input.mesh, input.halfedge_curve_map(), input.traits, surfaces,
+                                report, CGAL::parameters::visitor(std::ref(visitor)))
+         == SC::Error_code::INTERRUPTED);
+}
+
 // a sphere as a polyhedron, with another kernel and without curves
 void test_closed_polyhedron()
 {
@@ -213,6 +231,7 @@ void test_closed_polyhedron()
 int main()
 {
   test_case();
+  test_inexact_vertices();
   test_closed_polyhedron();
   return EXIT_SUCCESS;
 }

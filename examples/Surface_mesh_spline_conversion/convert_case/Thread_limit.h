@@ -6,8 +6,10 @@
 #include <tbb/global_control.h>
 #endif
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
+#include <thread>
 
 // While an object of this class exists, at most so many threads work; 0 stands for no limit.
 class Thread_limit
@@ -16,9 +18,11 @@ public:
 #ifdef CGAL_LINKED_WITH_TBB
   explicit Thread_limit(std::size_t number_of_threads)
   {
+    // TBB reserves something for each thread that it may start
+    const std::size_t most = (std::max)(1u, std::thread::hardware_concurrency());
     if(number_of_threads > 0)
       m_control = std::make_unique<tbb::global_control>(
-        tbb::global_control::max_allowed_parallelism, number_of_threads);
+        tbb::global_control::max_allowed_parallelism, (std::min)(number_of_threads, most));
   }
 
 private:

@@ -5,6 +5,7 @@
 #include <CGAL/Surface_mesh_spline_conversion/Free_edge_normals_3.h>
 #include <CGAL/Surface_mesh_spline_conversion/Open_cascade_curve_traits_3.h>
 #include <CGAL/Surface_mesh_spline_conversion/associate_boundary_with_BRep.h>
+#include <CGAL/Surface_mesh_spline_conversion/smallest_enclosing_sphere_diameter.h>
 #include <CGAL/Surface_mesh_spline_conversion/stitch_with_BRep.h>
 #include <CGAL/Surface_mesh_spline_conversion/IO/BRep.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/open_cascade/run_in_child_process.h>
@@ -126,6 +127,21 @@ std::string associate(const Brep_mesh& mesh, const std::string& residual,
   return std::string();
 }
 
+// Normals of edges that do not bound the mesh would be without meaning.
+std::string find_boundary_vertex_without_edge(const Brep_mesh& mesh, double scale,
+                                              const SC::Free_edge_normals_3<K>& normals)
+{
+  const double largest_relative_distance = 1e-3;
+  const double largest = largest_relative_distance * SC::smallest_enclosing_sphere_diameter(mesh);
+  for(const Brep_mesh::Vertex_index v : mesh.vertices())
+    if(mesh.is_border(v)
+       && !(normals.distance(CGAL::ORIGIN + scale * (mesh.point(v) - CGAL::ORIGIN))
+            <= scale * largest))
+      return "--tangent: the residual model has no free edge at the boundary vertex "
+             + std::to_string(v.idx());
+  return std::string();
+}
+
 std::string failure_message(const Standard_Failure& failure)
 {
   return std::string("Open CASCADE failed: ") + failure.GetMessageString();
@@ -149,8 +165,8 @@ std::string associate_with_residual(const Brep_mesh& mesh, const std::string& re
   }
 }
 
-std::string read_normals(const std::string& residual, const std::string& unit,
-                         Normal_function& normal)
+std::string read_normals(const std::string& residual, const Brep_mesh& mesh,
+                         const std::string& unit, Normal_function& normal)
 {
   try
   {
@@ -160,6 +176,9 @@ std::string read_normals(const std::string& residual, const std::string& unit,
       return message;
     const double scale = millimetres(unit);
     const SC::Free_edge_normals_3<K> normals(shape);
+    message = find_boundary_vertex_without_edge(mesh, scale, normals);
+    if(!message.empty())
+      return message;
     normal = [normals, scale](const K::Point_3& p, const K::Vector_3& tangent)
     { return normals(CGAL::ORIGIN + scale * (p - CGAL::ORIGIN), tangent); };
     return std::string();

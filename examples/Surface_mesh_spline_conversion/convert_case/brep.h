@@ -46,9 +46,10 @@ std::string associate_with_residual(const Brep_mesh& mesh, const std::string& re
                                     std::vector<Function_segment>& segments,
                                     std::vector<char>& corners);
 
-// Reads the normals along the free edges, for points in a unit; returns what is wrong, or nothing.
-std::string read_normals(const std::string& residual, const std::string& unit,
-                         Normal_function& normal);
+// Reads the normals along the free edges that bound a mesh in a unit; returns what is wrong, or
+// nothing.
+std::string read_normals(const std::string& residual, const Brep_mesh& mesh,
+                         const std::string& unit, Normal_function& normal);
 
 // Stitches in a process of its own, so that a crash or an endless loop of Open CASCADE only loses
 // the output. Returns what prevented the output from being written, or nothing.
@@ -65,7 +66,8 @@ inline std::string associate_with_residual(const Brep_mesh&, const std::string&,
   return "Open CASCADE is missing";
 }
 
-inline std::string read_normals(const std::string&, const std::string&, Normal_function&)
+inline std::string read_normals(const std::string&, const Brep_mesh&, const std::string&,
+                                Normal_function&)
 {
   return "Open CASCADE is missing";
 }

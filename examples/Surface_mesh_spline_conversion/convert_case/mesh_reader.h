@@ -128,6 +128,22 @@ Mesh_defect check_mesh(const Points& points, const Polygons& polygons)
   return {message.empty() ? Error_code::OK : Error_code::NON_MANIFOLD_MESH, message};
 }
 
+// Some programs write each face with vertices of its own: merges those at the same point. Returns
+// what was done, or nothing.
+template <typename Points>
+std::string merge_soup(Points& points, Polygons& polygons)
+{
+  std::size_t corners = 0;
+  for(const std::vector<std::size_t>& polygon : polygons)
+    corners += polygon.size();
+  if(polygons.size() < 2 || points.size() != corners)
+    return std::string();
+  const std::size_t merged
+    = CGAL::Polygon_mesh_processing::merge_duplicate_points_in_polygon_soup(points, polygons);
+  return merged == 0 ? std::string() : "each face has vertices of its own: " + std::to_string(merged)
+                                       + " vertices at the points of others were merged with them";
+}
+
 // Reads a triangle mesh from a file in the format OFF, PLY, OBJ, or STL. Returns what is wrong with
 // it; what is only suspicious is added to `warnings`.
 template <typename Mesh>
@@ -141,6 +157,9 @@ Mesh_defect read_mesh(const std::string& filename, Mesh& mesh, std::vector<std::
   if(!CGAL::IO::read_polygon_soup(filename, points, polygons))
     return {Error_code::EMPTY_MESH, "the file " + filename + " cannot be read as "
             + lower_case_extension(filename).substr(1) + " file"};
+  const std::string merging = merge_soup(points, polygons);
+  if(!merging.empty())
+    warnings.push_back(merging);
   const Mesh_defect defect = check_mesh(points, polygons);
   if(defect.code != Error_code::OK)
     return {defect.code, filename + ": " + defect.message};

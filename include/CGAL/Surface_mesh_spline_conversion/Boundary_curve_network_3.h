@@ -203,6 +203,9 @@ public:
   /// returns the diameter of the smallest sphere enclosing the vertices of the mesh.
   const FT& diameter() const { return m_diameter; }
 
+  /// returns the largest distance between a boundary vertex and its curve that is accepted.
+  const FT& association_tolerance() const { return m_association_tolerance; }
+
   /// returns the number of boundary loops.
   size_type number_of_loops() const { return m_loops.size(); }
 
@@ -412,9 +415,10 @@ private:
     const FT default_corner_angle(0.5), default_relative_tolerance(1e-6);
     const FT corner_angle
       = choose_parameter(get_parameter(np, internal_np::corner_angle), default_corner_angle);
-    const FT tolerance = choose_parameter(get_parameter(np, internal_np::association_tolerance),
-                                          default_relative_tolerance * m_diameter);
-    if(!check_parameters(corner_angle, tolerance))
+    m_association_tolerance
+      = choose_parameter(get_parameter(np, internal_np::association_tolerance),
+                         default_relative_tolerance * m_diameter);
+    if(!check_parameters(corner_angle))
       return;
 
     m_loops = internal::boundary_loops(*m_tm);
@@ -424,7 +428,7 @@ private:
       internal::Boundary_loop<TriangleMesh, BoundaryCurveTraits>
         loop(*m_tm, m_traits, l, m_loops[l]);
       loop.read(halfedge_curve_map, vpm, mesh_check);
-      if(loop.check_association(tolerance, corner_angle * FT(CGAL_PI) / FT(180)))
+      if(loop.check_association(m_association_tolerance, corner_angle * FT(CGAL_PI) / FT(180)))
       {
         loop.find_corners(is_constrained, corner_angle * FT(CGAL_PI) / FT(180), m_diameter);
         loop.append_chains(m_chains);
@@ -436,12 +440,12 @@ private:
       index_chains(vpm);
   }
 
-  bool check_parameters(const FT& corner_angle, const FT& tolerance)
+  bool check_parameters(const FT& corner_angle)
   {
     if(!(FT(0) < corner_angle && corner_angle < FT(180)))
       set_error(Error_code::INVALID_PARAMETER,
                 "The parameter corner_angle must be between 0 and 180 degrees.");
-    else if(!(FT(0) < tolerance) || !std::isfinite(tolerance))
+    else if(!(FT(0) < m_association_tolerance) || !std::isfinite(m_association_tolerance))
       set_error(Error_code::INVALID_PARAMETER,
                 "The parameter association_tolerance must be a positive number.");
     return m_error == Error_code::OK;
@@ -542,6 +546,7 @@ private:
   Error_code m_error = Error_code::OK;
   std::string m_message;
   FT m_diameter = FT(0);
+  FT m_association_tolerance = FT(0);
   std::vector<std::vector<halfedge_descriptor> > m_loops;
   std::vector<std::vector<size_type> > m_chains_of_loop;
   std::vector<Chain> m_chains;

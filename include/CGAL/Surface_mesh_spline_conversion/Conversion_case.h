@@ -47,7 +47,7 @@ struct Conversion_case
   typedef Surface_mesh_spline_conversion::Curve_segment<Curve_traits> Curve_segment;
 
   std::string name;                    ///< name of the case
-  std::string unit;                    ///< unit of length, for instance `mm`
+  std::string unit = "mm";             ///< unit of length
   std::string residual_file;           ///< path of the B-Rep next to the mesh; may be empty
   Triangle_mesh mesh;                  ///< the mesh
   Curve_traits traits;                 ///< traits of the curves

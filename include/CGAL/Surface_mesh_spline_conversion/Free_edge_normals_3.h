@@ -79,6 +79,12 @@ public:
     return result;
   }
 
+  /// returns the distance of `p` from the closest free edge.
+  typename K::FT distance(const Point_3& p) const
+  {
+    return typename K::FT(m_edges->curves().nearest(point(p)).distance);
+  }
+
 private:
   static constexpr double resolution = 1e-6; // in millimetres; edges meet at their vertices up to it
 

@@ -32,6 +32,7 @@
 #include <limits>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -47,7 +48,9 @@ class Boundary_association
   typedef typename Traits::Curve_3 Curve_3;
 
 public:
-  Boundary_association(const TopoDS_Shape& shape, double tolerance)
+  /// \param points the boundary vertices of the mesh
+  Boundary_association(const TopoDS_Shape& shape, const std::vector<gp_Pnt>& points,
+                       double tolerance)
     : m_free_edges(shape), m_tolerance(tolerance)
   {
     for(std::size_t i = 0; i < m_free_edges.size(); ++i)
@@ -56,6 +59,8 @@ public:
       const auto& e = m_free_edges[i];
       m_curves.emplace_back(TopoDS::Edge(e.edge.Oriented(e.is_forward ? TopAbs_FORWARD
                                                                       : TopAbs_REVERSED)), e.face);
+      m_ends.push_back({end_vertex(i, m_free_edges.curves().first(i), points),
+                        end_vertex(i, m_free_edges.curves().last(i), points)});
     }
   }
 
@@ -76,8 +81,8 @@ public:
       const Curve_set::Foot second = m_free_edges.curves().nearest(q, i, m_tolerance);
       if(second.distance > m_tolerance)
         continue;
-      for(double s : parameters(i, first.parameter))
-        for(double t : parameters(i, second.parameter))
+      for(double s : parameters(i, first.parameter, p))
+        for(double t : parameters(i, second.parameter, q))
         {
           const double distance = chord_distance(i, s, t, p, q);
           if(s == t || !(distance < best) || !is_in_domain(i, s, t))
@@ -92,26 +97,47 @@ public:
   }
 
 private:
-  // a point of a closed curve has several parameters; ends are taken exactly
-  std::vector<double> parameters(std::size_t i, double t) const
+  // The vertex where curve i ends is the one next to its end. It lies on several curves, and the
+  // foot of its perpendicular on each of them may be before the end.
+  gp_Pnt end_vertex(std::size_t i, double t, const std::vector<gp_Pnt>& points) const
+  {
+    const gp_Pnt end = m_free_edges.curves().point(i, t);
+    gp_Pnt result = end;
+    double least = m_tolerance;
+    for(const gp_Pnt& p : points)
+      if(p.Distance(end) <= least)
+      {
+        least = p.Distance(end);
+        result = p;
+      }
+    return result;
+  }
+
+  // `t`: the foot of `p` on curve i; a point of a closed curve has several parameters
+  std::vector<double> parameters(std::size_t i, double t, const gp_Pnt& p) const
   {
     const Curve_3& c = m_curves[i];
+    const double first = CGAL::to_double(c.first()), last = CGAL::to_double(c.last());
+    const bool is_first = p.Distance(m_ends[i].first) == 0;
+    const bool is_last = p.Distance(m_ends[i].second) == 0;
+    if(is_first || is_last)
+      return is_first && is_last ? std::vector<double>{first, last}
+                                 : std::vector<double>{is_first ? first : last};
     if(!c.is_closed())
       return {t};
-    const double first = CGAL::to_double(c.first()), last = CGAL::to_double(c.last());
-    const double period = last - first, close = 1e-9 * period;
-    if(t - first < close || last - t < close)
-      return {first, last};
+    const double period = last - first;
     return {t, t - period, t + period};
   }
 
+  // One end of a segment may be beyond the seam of a periodic curve, but no segment begins there:
+  // the seam has two parameters.
   bool is_in_domain(std::size_t i, double s, double t) const
   {
     const Curve_3& c = m_curves[i];
     const double first = CGAL::to_double(c.first()), last = CGAL::to_double(c.last());
     const auto is_inside = [first, last](double x) { return x >= first && x <= last; };
-    // one end in the range, the other at most beyond the seam of a periodic curve
-    return (is_inside(s) && is_inside(t)) || (c.is_periodic() && (is_inside(s) || is_inside(t)));
+    const auto is_inner = [first, last](double x) { return x > first && x < last; };
+    return (is_inside(s) && is_inside(t)) || (c.is_periodic() && (is_inner(s) || is_inner(t)));
   }
 
   // how far the inner part of the curve is from the middle of the chord
@@ -127,6 +153,7 @@ private:
 
   Free_edges m_free_edges;
   std::vector<Curve_3> m_curves;
+  std::vector<std::pair<gp_Pnt, gp_Pnt> > m_ends; // the vertices of the mesh at the ends of curves
   double m_tolerance;
 };
 
@@ -163,8 +190,9 @@ std::string association_defect(const Boundary_association<K>& association, doubl
 finds the curves that bound a mesh among the free edges of a boundary representation, by projection.
 
 Each boundary edge of the mesh gets the part of a free edge that begins and ends at the vertices of
-the boundary edge and follows it. The mesh must have a vertex wherever a free edge ends; where the
-tangents of two edges differ, `Boundary_curve_network_3` finds a corner.
+the boundary edge and follows it. The mesh must have a vertex wherever a free edge ends, and the curve
+ends at the vertex next to this end; where the tangents of two edges differ,
+`Boundary_curve_network_3` finds a corner.
 
 This needs Open CASCADE. If headers of both are included, those of \cgal must come first.
 
@@ -230,7 +258,11 @@ Error_code associate_boundary_with_BRep(const TriangleMesh& tm, const TopoDS_Sha
     return gp_Pnt(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
   };
 
-  const internal::Boundary_association<K> association(shape, tolerance);
+  std::vector<gp_Pnt> boundary_points;
+  for(const auto h : halfedges(tm))
+    if(is_border(h, tm))
+      boundary_points.push_back(kernel_point(target(h, tm)));
+  const internal::Boundary_association<K> association(shape, boundary_points, tolerance);
   for(const auto h : halfedges(tm))
   {
     if(is_border(h, tm) || !is_border(opposite(h, tm), tm))

@@ -48,7 +48,7 @@ mesh to T-NURCC surface conversion*, Computers & Graphics 82 (2019).
         `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and
         `Curve_segment<BoundaryCurveTraits>` as value type
 \tparam BoundaryCurveTraits a model of `BoundaryCurveTraits_3` with the point type of the mesh
-\tparam K a model of `Kernel` with the point type of the mesh
+\tparam K a model of `Kernel` with the point type of the mesh; its number type is `double`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tm a triangle mesh
@@ -79,9 +79,10 @@ mesh to T-NURCC surface conversion*, Computers & Graphics 82 (2019).
                     `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a number
                     type as value type, or a function object that returns a number for a vertex}
     \cgalParamDefault{the larger of *D* / 40 and twice the mean edge length of `tm`}
-    \cgalParamExtra{On a connected component where the surface would be folded over, or too far from
-                    the mesh although the fit is not, quads of 0.7 of this size are tried, then of
-                    0.49 and 0.34 of it; a warning tells which.}
+    \cgalParamExtra{A number that would give more than a million quads is refused. On a connected
+                    component where the surface would be folded over, or too far from the mesh
+                    although the fit is not, quads of 0.7 of this size are tried, then of 0.49 and
+                    0.34 of it; a warning tells which.}
   \cgalParamNEnd
   \cgalParamNBegin{cross_field_map}
     \cgalParamDescription{a direction at each face that the quads should follow, see
@@ -212,10 +213,10 @@ Error_code convert_to_T_NURCC(const TriangleMesh& tm, const HalfedgeCurveMap& ha
   const double diameter = CGAL::to_double(network.diameter());
   const internal::Conversion_options options
     = internal::conversion_options(np, diameter, corner_angle, report);
-  if(report.status != Error_code::OK)
-    return report.status;
   const auto size_map = internal::quad_size_map(
     tm, vpm, diameter, get_parameter(np, internal_np::quad_size_map), report);
+  if(report.status != Error_code::OK)
+    return report.status;
   const auto cross_field_map
     = choose_parameter(get_parameter(np, internal_np::cross_field_map),
                        Constant_property_map<face_descriptor, typename K::Vector_3>(NULL_VECTOR));

@@ -21,11 +21,14 @@
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
 #include <Message_PrinterOStream.hxx>
+#include <STEPControl_Controller.hxx>
 #include <STEPControl_Reader.hxx>
 #include <STEPControl_Writer.hxx>
 #include <TCollection_HAsciiString.hxx>
 #include <TopoDS_Shape.hxx>
 
+#include <algorithm>
+#include <cctype>
 #include <map>
 #include <string>
 
@@ -39,10 +42,12 @@ inline void silence_open_cascade()
   Message::DefaultMessenger()->RemovePrinters(STANDARD_TYPE(Message_PrinterOStream));
 }
 
+/// does the name end in `extension`, in lower or upper case?
 inline bool has_extension(const std::string& filename, const std::string& extension)
 {
   return filename.size() >= extension.size()
-      && filename.compare(filename.size() - extension.size(), extension.size(), extension) == 0;
+      && std::equal(extension.rbegin(), extension.rend(), filename.rbegin(),
+                    [](unsigned char a, unsigned char b) { return a == std::tolower(b); });
 }
 
 /// returns the name that Open CASCADE has for a unit of length, or nothing.
@@ -124,7 +129,7 @@ inline bool write_BRep(const std::string& filename, const TopoDS_Shape& shape,
     return BRepTools::Write(shape, filename.c_str());
   if(internal::unit_name(unit).empty())
     return false;
-  STEPControl_Writer writer;
+  STEPControl_Controller::Init();
   Interface_Static::SetCVal("xstep.cascade.unit", "MM");
   Interface_Static::SetCVal("write.step.unit", internal::unit_name(unit).c_str());
   // By default the uncertainty is the mean of the tolerances. Where an edge deviates more from a
@@ -132,6 +137,7 @@ inline bool write_BRep(const std::string& filename, const TopoDS_Shape& shape,
   // points.
   const int largest_tolerance = 1;
   Interface_Static::SetIVal("write.precision.mode", largest_tolerance);
+  STEPControl_Writer writer; // takes the factor of the unit when it is made
   if(writer.Transfer(shape, STEPControl_AsIs) != IFSelect_RetDone)
     return false;
   APIHeaderSection_MakeHeader header(writer.Model());

@@ -167,6 +167,7 @@ private:
   {
     const Component_network network(component.mesh, component.segments, m_network.traits(),
                                     parameters::corner_angle(m_options.corner_angle)
+                                      .association_tolerance(m_network.association_tolerance())
                                       .vertex_is_constrained_map(component.corners));
     if(network.error() != Error_code::OK)
     {

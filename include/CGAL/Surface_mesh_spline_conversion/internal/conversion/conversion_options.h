@@ -15,8 +15,10 @@
 #include <CGAL/Surface_mesh_spline_conversion/Error_code.h>
 #include <CGAL/Surface_mesh_spline_conversion/Error_metric.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/fit_parameters.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/fitting/format_number.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/named_parameters.h>
 
+#include <CGAL/Kernel/global_functions.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/number_utils.h>
 #include <CGAL/property_map.h>
@@ -123,25 +125,47 @@ double mean_edge_length(const TriangleMesh& tm, const VertexPointMap& vpm)
   return sum / double(num_halfedges(tm));
 }
 
-// below one mean edge a quad would copy the facets
-inline void check_quad_size(double size, double mean_edge, Conversion_report& report)
+template <typename TriangleMesh, typename VertexPointMap>
+double surface_area(const TriangleMesh& tm, const VertexPointMap& vpm)
 {
+  double sum = 0;
+  for(const auto f : faces(tm))
+  {
+    const auto h = halfedge(f, tm);
+    const auto& p = get(vpm, source(h, tm));
+    const auto& q = get(vpm, target(h, tm));
+    sum += std::sqrt(CGAL::to_double(
+      CGAL::squared_area(p, q, get(vpm, target(next(h, tm), tm)))));
+  }
+  return sum;
+}
+
+// below one mean edge a quad would copy the facets
+template <typename TriangleMesh, typename VertexPointMap>
+void check_quad_size(double size, const TriangleMesh& tm, const VertexPointMap& vpm,
+                     Conversion_report& report)
+{
+  const double most_quads = 1e6; // many times what memory and CAD systems stand
   report.quad_size = size;
-  if(size < mean_edge)
+  if(size > 0 && surface_area(tm, vpm) > most_quads * size * size)
+    fail(Error_code::INVALID_PARAMETER, "the quad size " + format_number(size)
+         + " would give more than a million quads", report);
+  if(size < mean_edge_length(tm, vpm))
     report.warnings.push_back("the quad size is below the mean edge length of the mesh: the surface "
                               "may copy the facets");
 }
 
 // the size that the user gave as a number or map, or the default
 template <typename TriangleMesh, typename VertexPointMap, typename Size>
-auto quad_size_map(const TriangleMesh& tm, const VertexPointMap& vpm, double, const Size& size,
-                   Conversion_report& report)
+auto quad_size_map(const TriangleMesh& tm, const VertexPointMap& vpm, double diameter,
+                   const Size& size, Conversion_report& report)
 {
   typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex_descriptor;
   if constexpr(std::is_arithmetic<Size>::value)
   {
-    check_quad_size(double(size), mean_edge_length(tm, vpm), report);
-    return Constant_property_map<vertex_descriptor, double>(double(size));
+    check_quad_size(double(size), tm, vpm, report);
+    // smaller quads are tried as shares of this size: no quad is larger than the mesh
+    return Constant_property_map<vertex_descriptor, double>((std::min)(double(size), diameter));
   }
   else if constexpr(std::is_invocable<const Size&, vertex_descriptor>::value)
     return boost::make_function_property_map<vertex_descriptor>(size);

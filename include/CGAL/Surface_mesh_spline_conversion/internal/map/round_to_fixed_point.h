@@ -41,7 +41,8 @@ inline bool evaluate_exactly(const Map_space& space, const Cut_graph& cut, const
   std::vector<std::int64_t> scalar(space.number_of_scalars());
   for(int i = 0; i < space.number_of_scalars(); ++i)
   {
-    const Wide_integer constant = static_cast<Wide_integer>(space.constant[i]) << bits;
+    const Wide_integer constant
+      = static_cast<Wide_integer>(space.constant[i]) * (static_cast<Wide_integer>(1) << bits);
     if(constant % space.denominator != 0)
       return false;
     Wide_integer sum = constant / space.denominator;
