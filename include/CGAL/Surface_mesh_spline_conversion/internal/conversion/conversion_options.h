@@ -163,9 +163,10 @@ auto quad_size_map(const TriangleMesh& tm, const VertexPointMap& vpm, double dia
   typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex_descriptor;
   if constexpr(std::is_arithmetic<Size>::value)
   {
-    check_quad_size(double(size), tm, vpm, report);
-    // smaller quads are tried as shares of this size: no quad is larger than the mesh
-    return Constant_property_map<vertex_descriptor, double>((std::min)(double(size), diameter));
+    // no quad is larger than the mesh, and shares of this size are tried, too
+    const double used = (std::min)(double(size), diameter);
+    check_quad_size(used, tm, vpm, report);
+    return Constant_property_map<vertex_descriptor, double>(used);
   }
   else if constexpr(std::is_invocable<const Size&, vertex_descriptor>::value)
     return boost::make_function_property_map<vertex_descriptor>(size);
