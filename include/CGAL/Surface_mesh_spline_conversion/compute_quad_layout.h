@@ -168,9 +168,9 @@ public:
       code = replace_crowded_map();
     if(code == Error_code::OK)
       code = extract_layout();
-    if(code == Error_code::OK && is_crowded)
-      code = join_singularities();
-    return code == Error_code::OK ? replace_inverted_quads() : code;
+    if(code == Error_code::OK)
+      code = replace_inverted_quads();
+    return code == Error_code::OK && is_crowded ? join_singularities() : code;
   }
 
 private:
@@ -302,10 +302,11 @@ private:
     const auto faces = mesh_face_corners();
     Error_code code = Error_code::OK;
     Field_attempt attempt = m_attempt;
+    attempt.size_shares.clear();
     attempt.spacing = smallest_spacing;
     for(double distance : {0.25, 0.5, 0.75, 1.}) // in quad sizes
     {
-      if(code != Error_code::OK || m_spare.is_used_up() || m_has_too_many_faces)
+      if(code != Error_code::OK || m_spare.is_used_up())
         break;
       attempt.joining_distance = distance;
       const std::size_t number = m_layout.number_of_quads();
@@ -537,15 +538,16 @@ round. The mesh itself comes before finer proxies if it has fewer faces than its
 still is no map, singularities of more than four quads that are near each other meet at one vertex
 of the mesh itself: thin parts beside corners may have no room for single ones. Where there are more
 than twice the quads that size, loops and handles need, smaller distances of the singularities are
-tried as well, and the layout with the fewest quads is kept; then singularities of more than four
-quads that are closer to each other than a quad are joined, to at most eight quads at one vertex,
-and the layout with the fewest quads is kept, unless some are inverted. Where quads of the layout
-are inverted when they are drawn flat, smaller ones are tried around them, and around those that are
-inverted then; the layout with the fewest of them is kept. The work of all this is counted, and ends
-in proportion to the numbers of triangles and of wanted quads. What cannot fail comes last, if there
-is no map: the mesh is coarsened, a ring of quads is laid along each boundary loop, and each
-triangle in between is divided into three quads. Such a layout is valid, but has many extraordinary
-points; its corners are regular vertices even where the boundary is convex.
+tried as well, and the layout with the fewest quads is kept. Where quads of the layout are inverted
+when they are drawn flat, smaller ones are tried around them, and around those that are inverted
+then; the layout with the fewest of them is kept. Where there were too many quads, singularities of
+more than four quads that are closer to each other than a quad are then joined, to at most eight
+quads at one vertex; the layout with the fewest quads is kept, unless some are inverted. The work of
+all this is counted, and ends in proportion to the numbers of triangles and of wanted quads. What
+cannot fail comes last, if there is no map: the mesh is coarsened, a ring of quads is laid along
+each boundary loop, and each triangle in between is divided into three quads. Such a layout is
+valid, but has many extraordinary points; its corners are regular vertices even where the boundary
+is convex.
 `Conversion_report::Map::fallback` says which of these was needed.
 
 \tparam TriangleMesh a model of `HalfedgeListGraph` and `FaceListGraph`
