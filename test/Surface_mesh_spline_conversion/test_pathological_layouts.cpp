@@ -5,6 +5,7 @@
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/Euler_operations.h>
 
 #include "generated_working_meshes.h"
 #include "quad_layout_checks.h"
@@ -315,6 +316,44 @@ void check_crowded_layout()
   assert(result.quads < 120); // 175 if singularities are spread
 }
 
+// two square sheets with two thin square tubes between them
+Mesh make_connected_sheets()
+{
+  const int n = 12;
+  const auto is_between = [](int x, int first, int last) { return first <= x && x < last; };
+  const Mesh plate = make_cubes(n, [&](const Lattice_point& cube)
+  {
+    const int x = cube[0], y = cube[1];
+    return is_between(x, 0, n) && is_between(y, 0, n) && cube[2] == 0
+           && !(x == 2 && y == 3) && !(x == 8 && y == 7);
+  });
+  Mesh sheets = plate;
+  for(const auto f : plate.faces())
+  {
+    const auto h = plate.halfedge(f);
+    const K::Point_3 centroid
+      = CGAL::centroid(plate.point(plate.source(h)), plate.point(plate.target(h)),
+                       plate.point(plate.target(plate.next(h))));
+    if(centroid.x() == 0 || centroid.x() == n || centroid.y() == 0 || centroid.y() == n)
+      CGAL::Euler::remove_face(sheets.halfedge(f), sheets);
+  }
+  sheets.collect_garbage();
+  return sheets;
+}
+
+// Where quads are much larger than tubes, the singularities around these are joined.
+void check_joined_singularities()
+{
+  const Result fine = compute(make_connected_sheets(), 0.2);
+  assert(fine.code == SC::Error_code::OK && fine.fallback == "none");
+  assert(fine.irregular.count(5) == 16);
+  const Result coarse = compute(make_connected_sheets(), 0.5);
+  assert(coarse.code == SC::Error_code::OK);
+  assert(coarse.quads < 30); // 44 with singularities of five quads each
+  assert(coarse.min_scaled_jacobian > 0);
+  assert(*coarse.irregular.rbegin() <= 8);
+}
+
 // No quad winds around a bar, although smaller ones in their place do once.
 void check_winding_quads()
 {
@@ -438,6 +477,7 @@ int main()
   check_neighboring_loops();
   check_comb();
   check_crowded_layout();
+  check_joined_singularities();
   check_winding_quads();
   check_torus();
   check_large_corner();

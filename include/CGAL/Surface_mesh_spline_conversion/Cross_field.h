@@ -65,6 +65,8 @@ struct Cross_field
                                       ///< above a full turn keep all their right angles
   bool gathers_singularities = false; ///< whether singularities of more than four right angles that
                                       ///< are near each other meet at one vertex
+  double joining_distance = 0;        ///< in quad sizes: such singularities that are closer to each
+                                      ///< other meet at one vertex with at most eight right angles
 };
 
 } // namespace Surface_mesh_spline_conversion

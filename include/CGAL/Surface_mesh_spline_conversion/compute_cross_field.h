@@ -93,6 +93,7 @@ struct Field_attempt
   double proxy_refinement = 1;       // by how much the edges of the proxy are shorter than usual
   Mesh mesh = Mesh::CHOSEN;
   bool gathers_singularities = false; // see `Cross_field`
+  double joining_distance = 0;       // see `Cross_field`
   // per face of the input: the size of the quads there, as a share of the wanted one; may be empty
   std::vector<double> size_shares = {};
   // the proxy, or null if the mesh itself is used: for attempts that differ only in the spacing
@@ -183,6 +184,7 @@ inline bool build_cross_field_on_proxy(Cross_field& field,
   on_proxy.spacing = field.spacing;
   on_proxy.keeps_large_corners = field.keeps_large_corners;
   on_proxy.gathers_singularities = field.gathers_singularities;
+  on_proxy.joining_distance = field.joining_distance;
   on_proxy.mesh = proxy->mesh;
   on_proxy.size = has_reduced_sizes ? reduced_sizes(field, *proxy) : proxy->size;
   on_proxy.wanted_direction = directions_on_proxy(field, *proxy);
@@ -258,6 +260,7 @@ Error_code compute_cross_field(const TriangleMesh& tm, const BoundaryCurveNetwor
   field = Cross_field();
   field.spacing = attempt.spacing;
   field.gathers_singularities = attempt.gathers_singularities;
+  field.joining_distance = attempt.joining_distance;
   field.keeps_large_corners
     = choose_parameter(get_parameter(np, internal_np::do_keep_large_corners), false);
   std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> vertex;

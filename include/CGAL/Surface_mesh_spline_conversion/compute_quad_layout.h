@@ -130,6 +130,8 @@ inline std::string describe(const Field_attempt& attempt, const Integer_grid_map
     add(map.proxy ? "a proxy" : "no proxy");
   if(attempt.gathers_singularities)
     add("singularities gathered on the mesh itself");
+  if(attempt.joining_distance > 0)
+    add("singularities joined");
   if(attempt.spacing < 1)
     add("spacing of singularities divided by " + std::to_string(std::lround(1 / attempt.spacing)));
   if(map.map.repairs > 0)
@@ -161,11 +163,14 @@ public:
   Error_code run()
   {
     Error_code code = find_map();
-    if(code == Error_code::OK)
+    const bool is_crowded = code == Error_code::OK && has_crowded_map();
+    if(is_crowded)
       code = replace_crowded_map();
     if(code == Error_code::OK)
       code = extract_layout();
-    return code == Error_code::OK ? replace_inverted_quads() : code;
+    if(code == Error_code::OK)
+      code = replace_inverted_quads();
+    return code == Error_code::OK && is_crowded ? join_singularities() : code;
   }
 
 private:
@@ -261,13 +266,16 @@ private:
     });
   }
 
+  bool has_crowded_map() const
+  {
+    const double crowd = 2; // times the needed number of quads
+    return double(number_of_quads()) > crowd * needed_number_of_quads();
+  }
+
   // Between singularities that have been spread over the features of the shape, large quads may have
   // to pass the same place many times. The map with the fewest quads is taken.
   Error_code replace_crowded_map()
   {
-    constexpr double crowd = 2; // times the needed number of quads
-    if(double(number_of_quads()) <= crowd * needed_number_of_quads())
-      return Error_code::OK;
     Error_code code = Error_code::OK;
     Field_attempt attempt = m_attempt;
     while(attempt.spacing > smallest_spacing && code == Error_code::OK && !m_spare.is_used_up())
@@ -286,6 +294,42 @@ private:
     return code;
   }
 
+  // Many singularities of the shape need many quads, however large these should be. Those that are
+  // closer to each other than a quad are joined. The layout with the fewest quads is taken, unless
+  // some are inverted.
+  Error_code join_singularities()
+  {
+    const auto faces = mesh_face_corners();
+    Error_code code = Error_code::OK;
+    Field_attempt attempt = m_attempt;
+    attempt.size_shares.clear();
+    attempt.spacing = smallest_spacing;
+    for(double distance : {0.25, 0.5, 0.75, 1.}) // in quad sizes
+    {
+      if(code != Error_code::OK || m_spare.is_used_up())
+        break;
+      attempt.joining_distance = distance;
+      const std::size_t number = m_layout.number_of_quads();
+      bool is_better = false;
+      code = try_instead(attempt, is_better, [&]()
+      {
+        if(std::size_t(number_of_quads()) >= number)
+          return Error_code::OK;
+        const Error_code extraction_code = extract_layout();
+        is_better = inverted_quads(m_layout, faces).empty();
+        return extraction_code;
+      });
+    }
+    return code;
+  }
+
+  std::vector<std::array<Eigen::Vector3d, 3> > mesh_face_corners() const
+  {
+    return face_corners(m_tm, parameters::choose_parameter(
+      parameters::get_parameter(m_np, internal_np::vertex_point),
+      get_const_property_map(vertex_point, m_tm)));
+  }
+
   int number_of_quads() const { return m_quads.quads().number_of_quads(); }
 
   // The surface may turn so much within a quad that the flat one is inverted, or a quad winds around
@@ -294,9 +338,7 @@ private:
   Error_code replace_inverted_quads()
   {
     const int most_attempts = 3;
-    const auto faces = face_corners(m_tm, parameters::choose_parameter(
-      parameters::get_parameter(m_np, internal_np::vertex_point),
-      get_const_property_map(vertex_point, m_tm)));
+    const auto faces = mesh_face_corners();
     std::vector<std::size_t> inverted = inverted_quads(m_layout, faces);
     if(inverted.empty())
       return Error_code::OK;
@@ -498,11 +540,14 @@ of the mesh itself: thin parts beside corners may have no room for single ones. 
 than twice the quads that size, loops and handles need, smaller distances of the singularities are
 tried as well, and the layout with the fewest quads is kept. Where quads of the layout are inverted
 when they are drawn flat, smaller ones are tried around them, and around those that are inverted
-then; the layout with the fewest of them is kept. The work of all this is counted, and ends in
-proportion to the numbers of triangles and of wanted quads. What cannot fail comes last, if there is
-no map: the mesh is coarsened, a ring of quads is laid along each boundary loop, and each triangle
-in between is divided into three quads. Such a layout is valid, but has many extraordinary points;
-its corners are regular vertices even where the boundary is convex.
+then; the layout with the fewest of them is kept. Where there were too many quads, singularities of
+more than four quads that are closer to each other than a quad are then joined, to at most eight
+quads at one vertex; the layout with the fewest quads is kept, unless some are inverted. The work of
+all this is counted, and ends in proportion to the numbers of triangles and of wanted quads. What
+cannot fail comes last, if there is no map: the mesh is coarsened, a ring of quads is laid along
+each boundary loop, and each triangle in between is divided into three quads. Such a layout is
+valid, but has many extraordinary points; its corners are regular vertices even where the boundary
+is convex.
 `Conversion_report::Map::fallback` says which of these was needed.
 
 \tparam TriangleMesh a model of `HalfedgeListGraph` and `FaceListGraph`

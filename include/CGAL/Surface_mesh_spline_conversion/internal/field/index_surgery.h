@@ -149,6 +149,8 @@ public:
     cancel_opposite_pairs();
     if(m_field.gathers_singularities)
       gather_singularities();
+    if(m_field.joining_distance > 0)
+      join_singularities();
     return success;
   }
 
@@ -336,13 +338,50 @@ private:
         goal[v] = x;
     });
     for(int v = 0; v < m_mesh.number_of_vertices(); ++v)
-      if(goal[v] >= 0 && goal[v] != v)
+      if(goal[v] >= 0)
         move_surplus(v, goal[v]);
+  }
+
+  // Singularities with a surplus that are closer than wanted meet half-way, nearest pairs first.
+  void join_singularities()
+  {
+    const int most_right_angles = 8;
+    const double distance = m_field.joining_distance / m_field.spacing; // relative to `size`
+    for(double share : {0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1.})
+      for(int v = 0; v < m_mesh.number_of_vertices(); ++v)
+      {
+        if(!is_inside(v) || surplus(v) <= 0)
+          continue;
+        const int goal
+          = m_paths.search(v, share * distance * m_field.size[v], m_geometry, [&](int x)
+            { return is_inside(x) && surplus(x) > 0
+                     && surplus(x) + m_field.quarter_turns[v] <= most_right_angles; });
+        if(goal < 0)
+          continue;
+        const int middle = middle_of_path_to(goal);
+        move_surplus(v, middle);
+        move_surplus(goal, middle);
+      }
+  }
+
+  // a regular vertex near the middle of the last path found, or its end
+  int middle_of_path_to(int goal) const
+  {
+    int middle = goal;
+    m_paths.for_each_halfedge(goal, [&](int h)
+    {
+      const int x = m_mesh.source(h);
+      if(is_regular_inside(x) && m_paths.distance(x) >= m_paths.distance(goal) / 2)
+        middle = x;
+    });
+    return middle;
   }
 
   // moves all of it
   void move_surplus(int v, int goal)
   {
+    if(v == goal)
+      return;
     m_paths.search(v, (std::numeric_limits<double>::max)(), m_geometry,
                    [goal](int x) { return x == goal; });
     while(surplus(v) > 0)
