@@ -88,12 +88,12 @@ bool is_folded(const Surface& surface)
 int main()
 {
   Surface surface;
-  for(const double size : {0.15, 0.3})
+  for(const double size : {0.15, 0.25})
   {
     assert(!convert(size, surface));
     assert(!is_folded(surface));
   }
-  assert(convert(0.25, surface));
+  assert(convert(0.3, surface));
   assert(!is_folded(surface));
   return 0;
 }
