@@ -89,11 +89,11 @@ struct Field_attempt
   // the proxy or the mesh itself, the other one of these, or the mesh itself in any case
   enum class Mesh { CHOSEN, OTHER, ITSELF };
 
-  double spacing = 1;                // see `Cross_field`
-  double proxy_refinement = 1;       // by how much the edges of the proxy are shorter than usual
+  double spacing = 1;                 // see `Cross_field`
+  double proxy_refinement = 1;        // by how much the edges of the proxy are shorter than usual
   Mesh mesh = Mesh::CHOSEN;
   bool gathers_singularities = false; // see `Cross_field`
-  double joining_distance = 0;       // see `Cross_field`
+  double joining_distance = 0;        // see `Cross_field`
   // per face of the input: the size of the quads there, as a share of the wanted one; may be empty
   std::vector<double> size_shares = {};
   // the proxy, or null if the mesh itself is used: for attempts that differ only in the spacing
