@@ -185,8 +185,7 @@ std::string read_curve_normals(const Options& options, const Case& input, Curve_
   if(input.residual_file.empty())
     return "--tangent needs a residual model";
   Normal_function normal;
-  const std::string error = read_normals(input.residual_file, input.mesh, input.unit,
-                                         normal);
+  const std::string error = read_normals(input.residual_file, input.mesh, input.unit, normal);
   const auto point = input.traits.construct_point_on_curve_3_object();
   const auto derivative = input.traits.construct_derivative_on_curve_3_object();
   normals = [normal, point, derivative](const Case::Curve_3& curve, const K::FT& t)

@@ -129,7 +129,7 @@ inline bool write_BRep(const std::string& filename, const TopoDS_Shape& shape,
     return BRepTools::Write(shape, filename.c_str());
   if(internal::unit_name(unit).empty())
     return false;
-  STEPControl_Controller::Init();
+  STEPControl_Controller::Init(); // the parameters exist from then on
   Interface_Static::SetCVal("xstep.cascade.unit", "MM");
   Interface_Static::SetCVal("write.step.unit", internal::unit_name(unit).c_str());
   // By default the uncertainty is the mean of the tolerances. Where an edge deviates more from a

@@ -125,6 +125,7 @@ double mean_edge_length(const TriangleMesh& tm, const VertexPointMap& vpm)
   return sum / double(num_halfedges(tm));
 }
 
+// not that of Polygon_mesh_processing, see boundary_band_width()
 template <typename TriangleMesh, typename VertexPointMap>
 double surface_area(const TriangleMesh& tm, const VertexPointMap& vpm)
 {

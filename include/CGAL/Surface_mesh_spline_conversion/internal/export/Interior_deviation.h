@@ -423,7 +423,7 @@ private:
 
   // May there be a larger deviation between `a` and `b`? The distance from any one triangle is a
   // bound, and is convex along a straight line. The curve between the points leaves the line by its
-  // height in the middle; twice of that is on the safe side.
+  // height in the middle; twice that is on the safe side.
   bool may_rise(const Climber& climber, const Eigen::Vector2d& a, const Eigen::Vector2d& b) const
   {
     if(!is_inside(a) || !is_inside(b))
