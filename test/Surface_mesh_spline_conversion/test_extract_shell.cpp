@@ -9,7 +9,10 @@
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/bezier_pieces.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/extract_shell.h>
 
+#include <algorithm>
+#include <cmath>
 #include <iostream>
+#include <vector>
 
 namespace SMSC = CGAL::Surface_mesh_spline_conversion;
 
@@ -74,6 +77,42 @@ double distance_from_limit_points(const SMSC::NURBS_shell_3<K>& shell,
   return largest;
 }
 
+double area(const std::vector<SMSC::internal::Bezier_piece>& pieces)
+{
+  constexpr int INTERVALS = 8;
+  double result = 0;
+  for(const auto& piece : pieces)
+    for(int j = 0; j < INTERVALS; ++j)
+      for(int i = 0; i < INTERVALS; ++i)
+      {
+        const auto d = piece.point_and_tangents((i + 0.5) / INTERVALS, (j + 0.5) / INTERVALS);
+        result += d[1].cross(d[2]).norm() / (INTERVALS * INTERVALS);
+      }
+  return result;
+}
+
+// the pieces of the cells are those of the faces, cut in another way
+template <typename K>
+void check_pieces(const std::vector<SMSC::internal::Bezier_piece>& pieces,
+                  const SMSC::NURBS_shell_3<K>& shell)
+{
+  const auto pieces_of_faces = SMSC::internal::bezier_pieces(shell);
+  assert(pieces.size() <= pieces_of_faces.size());
+  assert(std::abs(area(pieces) / area(pieces_of_faces) - 1) < 1e-4);
+  for(const auto& piece : pieces)
+  {
+    double distance = RADIUS;
+    for(const auto& other : pieces_of_faces)
+    {
+      double u = 0.5, v = 0.5;
+      if(other.face == piece.face)
+        distance = (std::min)(distance, SMSC::internal::project_to_piece(
+                                          other, piece.point(0.3, 0.6), u, v));
+    }
+    assert(distance < 1e-12 * RADIUS);
+  }
+}
+
 template <typename K>
 void test(int m, int depth)
 {
@@ -92,9 +131,11 @@ void test(int m, int depth)
                               SMSC::internal::Merging::BEST})
     {
       SMSC::NURBS_shell_3<K> shell;
+      std::vector<SMSC::internal::Bezier_piece> pieces;
       const auto result
         = SMSC::internal::extract_shell<K>(surface.cells(depth), surface.neighbors(), position,
-                                           {merging, depth, tolerance, {}}, shell);
+                                           {merging, depth, tolerance, {}}, shell, &pieces);
+      check_pieces(pieces, shell);
       const Shell_checks<K> checks(shell);
       std::cout << "sphere " << m << ": " << shell.number_of_faces() << " faces, caps deviate "
                 << result.cap_deviation << ", gap " << checks.largest_gap << ", angle "

@@ -14,6 +14,7 @@
 #include <iostream>
 #include <map>
 #include <string>
+#include <vector>
 
 namespace SMSC = CGAL::Surface_mesh_spline_conversion;
 typedef CGAL::Simple_cartesian<double> K;
@@ -21,6 +22,7 @@ typedef K::Point_3 Point_3;
 typedef CGAL::Surface_mesh<Point_3> Mesh;
 typedef SMSC::NURBS_shell_3<K> Shell;
 typedef SMSC::NURBS_curve_traits_3<K> Curve_traits;
+typedef SMSC::Boundary_curve_network_3<Mesh, Curve_traits> Network;
 
 constexpr double SIZE = 10;
 const int CELLS = 20;
@@ -125,18 +127,26 @@ struct Measurement
 
   SMSC::Deviation<K> operator()(const Shell& shell, double tolerance = 1)
   {
+    SMSC::Deviation<K> deviation;
+    with_network([&](const Network& network)
+    {
+      SMSC::measure_deviation(shell, mesh, network, deviation,
+                              CGAL::parameters::interior_tolerance(tolerance));
+    });
+    return deviation;
+  }
+
+  void with_network(const std::function<void(const Network&)>& use)
+  {
     auto map = mesh.add_property_map<Mesh::Halfedge_index, SMSC::Curve_segment<Curve_traits> >(
       "h:curve").first;
     std::string message;
     const SMSC::Error_code code
       = SMSC::interpolate_boundary_curves(mesh, traits, map, message);
     assert(code == SMSC::Error_code::OK);
-    const SMSC::Boundary_curve_network_3<Mesh, Curve_traits> network(mesh, map, traits);
+    const Network network(mesh, map, traits);
     assert(network.error() == SMSC::Error_code::OK && network.number_of_chains() == 4);
-    SMSC::Deviation<K> deviation;
-    SMSC::measure_deviation(shell, mesh, network, deviation,
-                            CGAL::parameters::interior_tolerance(tolerance));
-    return deviation;
+    use(network);
   }
 };
 
@@ -182,6 +192,60 @@ void test_ridges_between_samples()
     assert(std::any_of(d.interior_violations.begin(), d.interior_violations.end(),
                        [=](const Point_3& p)
                        { return std::hypot(p.x() - 5.5, p.y() - y) < width / 2; }));
+}
+
+// A surface that changes in one of its faces: what is taken from the measurement before gives the
+// same as to measure everything.
+void test_change()
+{
+  Measurement measure;
+  measure.with_network([&](const Network& network)
+  {
+    typedef SMSC::internal::Deviation_meter<Mesh, Mesh::Property_map<Mesh::Vertex_index, Point_3>,
+                                            Network> Meter;
+    const double limit = 0.05;
+    const auto bumps = [](double left, double right)
+    {
+      return two_faces([=](int i, int j)
+        { return j % 3 == 0 ? 0 : i == 1 ? left : i == 5 ? right : 0; });
+    };
+    Meter meter(measure.mesh, measure.mesh.points(), network, 0, limit, limit);
+    for(const auto& shell : {bumps(0.3, 0.1), bumps(0.3, 0.2), bumps(0, 0.2), bumps(0, 0.2)})
+    {
+      Meter other(measure.mesh, measure.mesh.points(), network, 0, limit, limit);
+      const auto d = meter(shell, SMSC::internal::bezier_pieces(shell));
+      const auto e = other(shell, SMSC::internal::bezier_pieces(shell));
+      assert(d.interior_maximum == e.interior_maximum && d.interior_mean == e.interior_mean);
+      assert(d.fraction_within == e.fraction_within && d.interior_worst == e.interior_worst);
+      assert(d.interior_violations == e.interior_violations && !d.interior_violations.empty());
+    }
+  });
+}
+
+// The samples of a tiny piece are closer to the centre of a facet than those of the piece that it
+// lies on.
+void test_uneven_pieces()
+{
+  typedef SMSC::internal::Bezier_piece Piece;
+  Measurement measure;
+  measure.with_network([&](const Network& network)
+  {
+    const double limit = 0.03, width = SIZE / CELLS; // of a cell of the mesh
+    const auto square = [](double x, double y, double size)
+    {
+      Piece piece = {{{1, 1}}, {}, 0};
+      for(int j : {0, 1})
+        for(int i : {0, 1})
+          piece.points.emplace_back(x + i * size, y + j * size, 0);
+      return piece;
+    };
+    const std::vector<Piece> pieces
+      = {square(0, 0, SIZE), square(10 * width + width / 3 + limit, 10 * width + 0.66 * width, 1e-3)};
+    const SMSC::internal::Mesh_distance distance(measure.mesh, measure.mesh.points(), network);
+    SMSC::internal::Interior_deviation interior(pieces, distance, 0, limit, limit);
+    interior.add_mesh(measure.mesh, measure.mesh.points());
+    assert(interior.statistics().maximum < 1e-12);
+  });
 }
 
 // On one side of a narrow strip the edges of the mesh are so short that samples of its curve hide
@@ -278,6 +342,8 @@ int main()
            < rounding);
   test_ridge();
   test_ridges_between_samples();
+  test_change();
+  test_uneven_pieces();
   test_uneven_boundary();
   std::cout << "ok" << std::endl;
   return 0;

@@ -94,12 +94,14 @@ std::vector<Cell> surface_cells(const T_NURCC_surface_3<K>& surface)
   return cells;
 }
 
-// extracts the faces of a surface with the given cells, see `extract_NURBS_faces()`
+// Extracts the faces of a surface with the given cells, see `extract_NURBS_faces()`. `pieces`: those
+// of the faces if not null, see `pieces_of_cells()`
 template <typename K>
 Cap_statistics<typename K::FT>
 extract_faces(const T_NURCC_surface_3<K>& surface, std::vector<Cell> cells, double tolerance,
               const std::vector<Boundary_vertex<typename K::FT> >& boundary_vertices,
-              Merging merging, NURBS_shell_3<K>& shell)
+              Merging merging, NURBS_shell_3<K>& shell,
+              std::vector<Bezier_piece>* pieces = nullptr)
 {
   typedef typename K::FT FT;
 
@@ -113,7 +115,7 @@ extract_faces(const T_NURCC_surface_3<K>& surface, std::vector<Cell> cells, doub
   auto position = [&surface](std::size_t patch, double u, double v)
   { return to_eigen(surface.position(patch, FT(u), FT(v))); };
   const Extraction_result result = extract_shell(std::move(cells), quad_neighbors(surface),
-                                                 position, settings, shell);
+                                                 position, settings, shell, pieces);
 
   Cap_statistics<FT> statistics;
   statistics.number_of_caps = result.number_of_caps;

@@ -24,7 +24,11 @@
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/number_utils.h>
 
+#include <Eigen/Core>
+
 #include <cstddef>
+#include <memory>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -70,50 +74,88 @@ struct Deviation
 
 namespace internal {
 
-// See measure_deviation() below. `band`: the width of the band along the boundary. `limit`:
-// deviations of the interior are violations above it, which need not be the tolerance.
-template <typename K, typename TriangleMesh, typename VertexPointMap, typename BoundaryCurveNetwork>
-void measure_shell(const NURBS_shell_3<K>& shell, const TriangleMesh& tm, const VertexPointMap& vpm,
-                   const BoundaryCurveNetwork& network, double band, double tolerance,
-                   double limit, Deviation<K>& deviation)
+// Measures surfaces on one mesh, see measure_deviation() below. What is known of a surface from the
+// last measurement is not measured again.
+template <typename TriangleMesh, typename VertexPointMap, typename BoundaryCurveNetwork>
+class Deviation_meter
 {
-  constexpr double LARGEST_ANGLE = 1; // in degrees
-  auto point = [](const Eigen::Vector3d& p) { return typename K::Point_3(p.x(), p.y(), p.z()); };
+public:
+  // `band`: the width of the band along the boundary. `limit`: deviations of the interior are
+  // violations above it, which need not be the tolerance.
+  Deviation_meter(const TriangleMesh& tm, const VertexPointMap& vpm,
+                  const BoundaryCurveNetwork& network, double band, double tolerance, double limit)
+    : m_tm(tm), m_vpm(vpm), m_network(network), m_mesh_distance(tm, vpm, network), m_band(band),
+      m_tolerance(tolerance), m_limit(limit)
+  {}
 
-  const Boundary_deviation boundary = boundary_deviation(shell, network);
-  deviation.boundary_maximum = boundary.statistics.maximum;
-  deviation.boundary_mean = boundary.statistics.mean();
-  deviation.boundary_worst = point(boundary.statistics.worst);
-  deviation.worst_chain = boundary.chain;
-  deviation.worst_arc_length = boundary.arc_length;
-  deviation.corner_maximum = corner_deviation(shell, tm, vpm, network);
+  // `pieces`: the polynomial pieces of the shell
+  template <typename K>
+  Deviation<K> operator()(const NURBS_shell_3<K>& shell, std::vector<Bezier_piece> pieces)
+  {
+    Deviation<K> result;
+    measure_boundary(shell, result);
+    for(const Eigen::Vector3d& p : folds_of_pieces(pieces))
+      result.piece_folds.push_back(point<K>(p));
+    measure_interior(std::move(pieces), result);
+    measure_normals(shell, result);
+    return result;
+  }
 
-  const Mesh_distance mesh(tm, vpm, network);
-  const std::vector<Bezier_piece> pieces = bezier_pieces(shell);
-  Interior_deviation interior(pieces, mesh, band, tolerance, limit);
-  interior.add_mesh(tm, vpm);
-  deviation.interior_maximum = interior.statistics().maximum;
-  deviation.interior_mean = interior.statistics().mean();
-  deviation.fraction_within = interior.statistics().fraction_within();
-  deviation.interior_worst = point(interior.statistics().worst);
-  deviation.interior_violations.clear();
-  for(const Eigen::Vector3d& p : interior.violations())
-    deviation.interior_violations.push_back(point(p));
-  deviation.faces_against_mesh = interior.number_of_faces_against_mesh();
-  deviation.folds.clear();
-  for(const Eigen::Vector3d& p : interior.folds())
-    deviation.folds.push_back(point(p));
-  deviation.piece_folds.clear();
-  for(const Eigen::Vector3d& p : folds_of_pieces(pieces))
-    deviation.piece_folds.push_back(point(p));
+private:
+  template <typename K>
+  static typename K::Point_3 point(const Eigen::Vector3d& p)
+  {
+    return typename K::Point_3(p.x(), p.y(), p.z());
+  }
 
-  const Normal_angles angles = normal_angles(shell, LARGEST_ANGLE);
-  deviation.normal_angle_maximum = angles.statistics.maximum;
-  deviation.normal_angle_worst = point(angles.statistics.worst);
-  deviation.normal_violations.clear();
-  for(const Eigen::Vector3d& p : angles.violations)
-    deviation.normal_violations.push_back(point(p));
-}
+  template <typename K>
+  void measure_boundary(const NURBS_shell_3<K>& shell, Deviation<K>& result) const
+  {
+    const Boundary_deviation boundary = boundary_deviation(shell, m_network);
+    result.boundary_maximum = boundary.statistics.maximum;
+    result.boundary_mean = boundary.statistics.mean();
+    result.boundary_worst = point<K>(boundary.statistics.worst);
+    result.worst_chain = boundary.chain;
+    result.worst_arc_length = boundary.arc_length;
+    result.corner_maximum = corner_deviation(shell, m_tm, m_vpm, m_network);
+  }
+
+  template <typename K>
+  void measure_interior(std::vector<Bezier_piece> pieces, Deviation<K>& result)
+  {
+    m_interior.reset(new Interior_deviation(std::move(pieces), m_mesh_distance, m_band, m_tolerance,
+                                            m_limit, m_interior.get()));
+    m_interior->add_mesh(m_tm, m_vpm);
+    const Deviation_statistics& statistics = m_interior->statistics();
+    result.interior_maximum = statistics.maximum;
+    result.interior_mean = statistics.mean();
+    result.fraction_within = statistics.fraction_within();
+    result.interior_worst = point<K>(statistics.worst);
+    for(const Eigen::Vector3d& p : m_interior->violations())
+      result.interior_violations.push_back(point<K>(p));
+    result.faces_against_mesh = m_interior->number_of_faces_against_mesh();
+    for(const Eigen::Vector3d& p : m_interior->folds())
+      result.folds.push_back(point<K>(p));
+  }
+
+  template <typename K>
+  static void measure_normals(const NURBS_shell_3<K>& shell, Deviation<K>& result)
+  {
+    constexpr double LARGEST_ANGLE = 1; // in degrees
+    const Normal_angles angles = normal_angles(shell, LARGEST_ANGLE);
+    result.normal_angle_maximum = angles.statistics.maximum;
+    result.normal_angle_worst = point<K>(angles.statistics.worst);
+    for(const Eigen::Vector3d& p : angles.violations)
+      result.normal_violations.push_back(point<K>(p));
+  }
+
+  const TriangleMesh& m_tm;
+  VertexPointMap m_vpm;
+  const BoundaryCurveNetwork& m_network;
+  Mesh_distance m_mesh_distance;
+  double m_band, m_tolerance, m_limit;
+  std::unique_ptr<Interior_deviation> m_interior; // of the last surface
+};
 
 } // namespace internal
 
@@ -180,8 +222,9 @@ void measure_deviation(const NURBS_shell_3<K>& shell, const TriangleMesh& tm,
   const double tolerance
     = CGAL::to_double(choose_parameter(get_parameter(np, internal_np::interior_tolerance),
                                        DEFAULT_RELATIVE_TOLERANCE * network.diameter()));
-  internal::measure_shell(shell, tm, vpm, network, internal::boundary_band_width(np, tm, vpm),
-                          tolerance, tolerance, deviation);
+  typedef internal::Deviation_meter<TriangleMesh, decltype(vpm), BoundaryCurveNetwork> Meter;
+  deviation = Meter(tm, vpm, network, internal::boundary_band_width(np, tm, vpm), tolerance,
+                    tolerance)(shell, internal::bezier_pieces(shell));
 }
 
 } // namespace Surface_mesh_spline_conversion

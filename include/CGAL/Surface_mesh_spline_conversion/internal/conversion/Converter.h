@@ -70,6 +70,9 @@ class Converter
   typedef typename Component::Mesh Component_mesh;
   typedef Boundary_curve_network_3<Component_mesh, BoundaryCurveTraits> Component_network;
   typedef Transfinite_patch_network_3<Kernel, Component_mesh, BoundaryCurveTraits> Target;
+  typedef typename boost::property_map<Component_mesh, vertex_point_t>::const_type
+    Component_point_map;
+  typedef Deviation_meter<Component_mesh, Component_point_map, Component_network> Meter;
 
 public:
   Converter(const TriangleMesh& tm, const VertexPointMap& vpm, const Network& network,
@@ -274,7 +277,9 @@ private:
     Interior_fitter<Surface, Target, Visitor> fitter(
       surface, target, interior_fit_options(target, np), boundary_fit_options(target, np),
       boundary_normals(target, m_normals), m_visitor, part);
-    const Error_code interior = fit_interior(fitter, surface, component, network, attempt);
+    Meter meter(component.mesh, get(vertex_point, component.mesh), network, m_band,
+                m_options.interior_tolerance, largest_deviation(part));
+    const Error_code interior = fit_interior(fitter, surface, component, network, meter, attempt);
     if(!is_surface(interior))
       return interior;
     if(target.has_smooth_target())
@@ -290,7 +295,7 @@ private:
   // fits, measures, and improves the fit where the measurement asks for it.
   template <typename Fitter>
   Error_code fit_interior(Fitter& fitter, const Surface& surface, const Component& component,
-                          const Component_network& network, Attempt& attempt)
+                          const Component_network& network, Meter& meter, Attempt& attempt)
   {
     Conversion_report& part = attempt.part;
     const std::string message = part.message;
@@ -301,7 +306,7 @@ private:
     {
       Deviation<Kernel> deviation;
       const Error_code measured = run("measure_deviation", part, [&]()
-        { return measure(surface, component, network, part, deviation); });
+        { return measure(surface, network, meter, part, deviation); });
       const std::vector<Point_3> rough
         = round < maximum_number_of_smoothings ? rough_places(deviation) : std::vector<Point_3>();
       if(code != Error_code::OK || round == maximum_number_of_improvements
@@ -312,7 +317,7 @@ private:
           = has_avoidable_folds(deviation, component, network)
             || (code == Error_code::OK && measured != Error_code::OK);
         if(code == Error_code::OK && measured == Error_code::OK && m_options.do_fair)
-          return make_fair(fitter, surface, component, network, part, deviation);
+          return make_fair(fitter, surface, network, meter, part, deviation);
         warn_about_normals(deviation, part);
         warn_about_folds(deviation, part);
         return code == Error_code::OK ? measured : code;
@@ -343,9 +348,8 @@ private:
   // makes a surface that has met the tolerances fair, so that it still does; `deviation` is that of
   // the surface before.
   template <typename Fitter>
-  Error_code make_fair(Fitter& fitter, const Surface& surface, const Component& component,
-                       const Component_network& network, Conversion_report& part,
-                       Deviation<Kernel>& deviation)
+  Error_code make_fair(Fitter& fitter, const Surface& surface, const Component_network& network,
+                       Meter& meter, Conversion_report& part, Deviation<Kernel>& deviation)
   {
     constexpr int maximum_number_of_attempts = 4;
     const Conversion_report before = part;
@@ -358,7 +362,7 @@ private:
       if(!is_surface(code))
         return code;
       const Error_code measured = run("measure_deviation", part, [&]()
-        { return measure(surface, component, network, part, deviation); });
+        { return measure(surface, network, meter, part, deviation); });
       places = rough_places(deviation);
       places.insert(places.end(), deviation.interior_violations.begin(),
                     deviation.interior_violations.end());
@@ -373,13 +377,12 @@ private:
   }
 
   // measures the surface as it leaves for a CAD system, caps included.
-  Error_code measure(const Surface& surface, const Component& component,
-                     const Component_network& network, Conversion_report& part,
-                     Deviation<Kernel>& deviation)
+  Error_code measure(const Surface& surface, const Component_network& network, Meter& meter,
+                     Conversion_report& part, Deviation<Kernel>& deviation)
   {
-    const NURBS_shell_3<Kernel> shell = extract_shell(surface, network);
-    measure_shell(shell, component.mesh, get(vertex_point, component.mesh), network,
-                  m_band, m_options.interior_tolerance, largest_deviation(part), deviation);
+    std::vector<Bezier_piece> pieces;
+    const NURBS_shell_3<Kernel> shell = extract_shell(surface, network, &pieces);
+    deviation = meter(shell, std::move(pieces));
     part.boundary.max_deviation = CGAL::to_double(deviation.boundary_maximum);
     part.boundary.mean_deviation = CGAL::to_double(deviation.boundary_mean);
     locate_worst(deviation.boundary_worst, part);
@@ -402,13 +405,13 @@ private:
   }
 
   // Faces that are merged better are the same surface, with other edges at which normals are compared.
-  NURBS_shell_3<Kernel> extract_shell(const Surface& surface,
-                                      const Component_network& network) const
+  NURBS_shell_3<Kernel> extract_shell(const Surface& surface, const Component_network& network,
+                                      std::vector<Bezier_piece>* pieces) const
   {
     NURBS_shell_3<Kernel> shell;
     extract_faces(surface, surface_cells(surface), m_options.interior_tolerance,
                   find_boundary_vertices(surface, network, FT(m_options.boundary_tolerance)),
-                  Merging::FAST, shell);
+                  Merging::FAST, shell, pieces);
     return shell;
   }
 
@@ -417,7 +420,7 @@ private:
                      const Component_network& network, Conversion_report& part) const
   {
     part.interior.certified_bound = CGAL::to_double(bound_interior_deviation(
-      extract_shell(surface, network), component.mesh, network,
+      extract_shell(surface, network, nullptr), component.mesh, network,
       parameters::interior_tolerance(m_options.interior_tolerance).boundary_band(m_band)));
     if(part.interior.certified_bound > largest_deviation(part))
       part.warnings.push_back("the distance of the surface from the mesh is proved to be below "

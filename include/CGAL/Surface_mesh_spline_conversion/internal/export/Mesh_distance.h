@@ -122,6 +122,19 @@ public:
     return distance;
   }
 
+  /// Returns what of the distance of a point from the mesh exceeds what is tolerated in a band along
+  /// the boundary. This is the chord gap; it falls continuously to nothing in the outer half of the
+  /// band, or in the part of it that is farther away than the curves are from their chords. If it
+  /// jumped, a search for the largest excess would not find what is just beyond the band.
+  double excess(const Eigen::Vector3d& p, double distance, double band) const
+  {
+    double gap;
+    const double outer = band - boundary_distance(p, band, gap);
+    const double fall = (std::min)(band / 2, band - gap);
+    const double share = outer >= fall ? 1 : (std::max)(0., outer / fall);
+    return (std::max)(0., distance - (outer >= 0 ? share * gap : 0));
+  }
+
 private:
   static Kernel::Point_3 point(const Eigen::Vector3d& p)
   {

@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/Cell_complex.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/Cell_merger.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/Shell_assembler.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/export/bezier_pieces.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/graded_breaks.h>
 
 #include <algorithm>
@@ -173,12 +174,35 @@ bool cut_out_creases_and_caps(const Cell_complex& all, const Quad_neighbors& nei
   return creases.empty() || fit_together(complex, Cell_complex(cells, neighbors));
 }
 
+/// Returns the polynomial pieces of the faces of a shell: the cells, which the knots of the others
+/// in a face do not cut, and the pieces of caps and creases. While a surface is refined, those of
+/// its cells that stay the same have the same pieces, to the bit.
+template <typename K>
+std::vector<Bezier_piece> pieces_of_cells(const Cell_complex& complex,
+                                          const std::vector<Cell_rectangle>& faces,
+                                          const NURBS_shell_3<K>& shell)
+{
+  std::vector<Bezier_piece> result;
+  for(std::size_t f = 0; f < faces.size(); ++f)
+    if(!is_mergeable(complex.cells()[faces[f].cells.front().cell]))
+      append_bezier_pieces(shell.face(f).surface, f, result);
+    else
+      for(const Placed_cell& placed : faces[f].cells)
+      {
+        const Bicubic& points = complex.cells()[placed.cell].points;
+        result.push_back(Bezier_piece{{{3, 3}}, {points.begin(), points.end()}, f});
+      }
+  return result;
+}
+
 /// The whole extraction for any set of cells: caps, rectangles, topology.
 /// \param position returns the point of a patch at coordinates of its quad, in [0,1]
+/// \param pieces if not null, see `pieces_of_cells()`
 template <typename K, typename Position>
 Extraction_result extract_shell(std::vector<Cell> cells, const Quad_neighbors& neighbors,
                                 const Position& position, const Extraction_settings& settings,
-                                NURBS_shell_3<K>& shell)
+                                NURBS_shell_3<K>& shell,
+                                std::vector<Bezier_piece>* pieces = nullptr)
 {
   const double equality = RELATIVE_EQUALITY * largest_coordinate(cells);
   const Cell_complex all = make_cell_complex(std::move(cells), neighbors);
@@ -196,6 +220,8 @@ Extraction_result extract_shell(std::vector<Cell> cells, const Quad_neighbors& n
   const std::vector<Face_breaks> breaks = settings.merging == Merging::BEST
     ? Break_grading(complex, faces)() : cell_breaks(complex, faces);
   Shell_assembler<K>(complex, caps, creases)(faces, breaks, settings.boundary_points, shell);
+  if(pieces != nullptr)
+    *pieces = pieces_of_cells(complex, faces, shell);
 
   Extraction_result result;
   result.number_of_caps = caps.size();
