@@ -22,7 +22,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -339,15 +338,6 @@ private:
         && cap.is_regular;
   }
 
-  const Cap_operator& cap_operator(int valence, bool is_smooth)
-  {
-    const auto key = std::make_pair(valence, is_smooth);
-    auto it = m_operators.find(key);
-    if(it == m_operators.end())
-      it = m_operators.emplace(key, Cap_operator(valence, is_smooth)).first;
-    return it->second;
-  }
-
   // position and cross derivative of the neighbour; the unit of length is the side of the cap
   void set_ribbon(const Cap_sector& sector, int side, Eigen::MatrixXd& data, int row) const
   {
@@ -475,7 +465,6 @@ private:
   std::vector<std::vector<std::size_t> > m_cells_of_quad;
   std::vector<char> m_is_covered;
   std::vector<Cap> m_caps;
-  std::map<std::pair<int, bool>, Cap_operator> m_operators;
 };
 
 } // namespace internal

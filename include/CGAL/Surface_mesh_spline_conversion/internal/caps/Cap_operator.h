@@ -20,6 +20,9 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <map>
+#include <mutex>
+#include <utility>
 
 namespace CGAL {
 namespace Surface_mesh_spline_conversion {
@@ -258,6 +261,19 @@ private:
   Eigen::MatrixXd m_objective;       // samples, then fairness
   Eigen::MatrixXd m_operator;
 };
+
+/// returns the operator of a valence, which is computed once for all surfaces
+inline const Cap_operator& cap_operator(int valence, bool is_smooth)
+{
+  static std::mutex mutex;
+  static std::map<std::pair<int, bool>, Cap_operator> operators;
+  const std::lock_guard<std::mutex> lock(mutex);
+  const auto key = std::make_pair(valence, is_smooth);
+  auto it = operators.find(key);
+  if(it == operators.end())
+    it = operators.emplace(key, Cap_operator(valence, is_smooth)).first;
+  return it->second;
+}
 
 } // namespace internal
 } // namespace Surface_mesh_spline_conversion

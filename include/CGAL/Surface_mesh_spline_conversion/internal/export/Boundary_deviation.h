@@ -96,7 +96,8 @@ public:
     for(const auto segment : near)
     {
       const std::size_t i = std::size_t(segment - m_segments.begin());
-      if(std::sqrt(CGAL::squared_distance(point(p), *segment)) > best.distance + m_sagittas[i])
+      if(is_on_chord(best, i)
+         || std::sqrt(CGAL::squared_distance(point(p), *segment)) > best.distance + m_sagittas[i])
         continue;
       const Foot foot = project_from_chord(p, i);
       if(foot.distance < best.distance)
@@ -134,6 +135,13 @@ private:
     m_sagittas.push_back(SAFETY * std::sqrt(CGAL::squared_distance(
       point(m_curves.point(end.curve, middle)), m_segments.back())));
     m_largest_sagitta = (std::max)(m_largest_sagitta, m_sagittas.back());
+  }
+
+  // has the search ended on the part of the curve that belongs to a chord?
+  bool is_on_chord(const Foot& foot, std::size_t chord) const
+  {
+    const Sample &a = m_samples[m_chord_ends[chord] - 1], &b = m_samples[m_chord_ends[chord]];
+    return foot.curve == b.curve && a.parameter <= foot.parameter && foot.parameter <= b.parameter;
   }
 
   // starts at the parameter of the point of the chord that is closest to `p`
