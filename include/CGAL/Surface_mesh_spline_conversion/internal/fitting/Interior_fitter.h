@@ -145,8 +145,10 @@ private:
     Surface surface;
     std::unique_ptr<Samples> samples;
     std::unique_ptr<Errors> error;
+    std::vector<bool> is_fixed;
     Largest_error largest;
     Error_code boundary_code;
+    int tangency_refinements;
     Conversion_report::Boundary boundary;
     Conversion_report::Interior interior;
     Conversion_report::Smoothness smoothness;
@@ -269,8 +271,9 @@ private:
 
   State save()
   {
-    return State{m_surface, std::move(m_samples), std::move(m_error), m_largest, m_boundary_code,
-                 m_report.boundary, m_report.interior, m_report.smoothness, m_report.message};
+    return State{m_surface, std::move(m_samples), std::move(m_error), m_is_fixed, m_largest,
+                 m_boundary_code, m_tangency_refinements, m_report.boundary, m_report.interior,
+                 m_report.smoothness, m_report.message};
   }
 
   void restore(State&& state)
@@ -279,8 +282,10 @@ private:
     m_is_fitted = true;
     m_samples = std::move(state.samples);
     m_error = std::move(state.error);
+    m_is_fixed = std::move(state.is_fixed);
     m_largest = state.largest;
     m_boundary_code = state.boundary_code;
+    m_tangency_refinements = state.tangency_refinements;
     m_report.boundary = state.boundary;
     m_report.interior = state.interior;
     m_report.smoothness = state.smoothness;
