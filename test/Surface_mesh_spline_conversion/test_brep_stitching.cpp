@@ -95,26 +95,35 @@ void test_too_far()
   assert(report.unmatched_edges == 4 && report.free_edges > 0 && report.solids == 0);
 }
 
+template <typename Function>
+Shell transformed(const Shell& shell, const Function& function)
+{
+  Shell result;
+  for(std::size_t v = 0; v < shell.number_of_vertices(); ++v)
+    result.add_vertex(function(shell.point(v)));
+  for(std::size_t e = 0; e < shell.number_of_edges(); ++e)
+  {
+    Shell::Edge edge = shell.edge(e);
+    for(Point_3& p : edge.curve.control_points)
+      p = function(p);
+    result.add_edge(edge);
+  }
+  for(std::size_t f = 0; f < shell.number_of_faces(); ++f)
+  {
+    Shell::Face face = shell.face(f);
+    for(Point_3& p : face.surface.control_points)
+      p = function(p);
+    result.add_face(face);
+  }
+  return result;
+}
+
 // The shell has vertices at 45, 135, ... degrees, the cylinder at 0; the shell is in meters.
 void test_disk()
 {
   const double gap = 20 * 2.73e-4;
-  Shell shell;
-  const Shell in_millimetres = disk(5);
-  for(std::size_t v = 0; v < in_millimetres.number_of_vertices(); ++v)
-    shell.add_vertex(CGAL::ORIGIN + (in_millimetres.point(v) - CGAL::ORIGIN) / 1000);
-  for(std::size_t e = 0; e < in_millimetres.number_of_edges(); ++e)
-  {
-    Shell::Edge edge = in_millimetres.edge(e);
-    for(Point_3& p : edge.curve.control_points)
-      p = CGAL::ORIGIN + (p - CGAL::ORIGIN) / 1000;
-    shell.add_edge(edge);
-  }
-  Shell::Face face = in_millimetres.face(0);
-  for(Point_3& p : face.surface.control_points)
-    p = CGAL::ORIGIN + (p - CGAL::ORIGIN) / 1000;
-  shell.add_face(face);
-
+  const Shell shell = transformed(disk(5), [](const Point_3& p)
+    { return CGAL::ORIGIN + (p - CGAL::ORIGIN) / 1000; });
   TopoDS_Shape solid;
   SMSC::Stitching_report report;
   assert(SMSC::stitch_with_BRep(shell, open_cylinder(), 2 * gap, solid, report, 1000));
@@ -142,6 +151,24 @@ void test_wavy_disk()
   check_files(solid, report);
 }
 
+// The seam of the cylinder divides an edge that is not parallel to the circle there, and runs around
+// the cylinder against it.
+void test_seam()
+{
+  const double wave = 1e-3;
+  for(double angle = -0.6; angle < 0.7; angle += 0.2)
+  {
+    const double c = std::cos(angle), s = std::sin(angle);
+    const Shell shell = transformed(wavy_disk(5, wave), [c, s](const Point_3& p)
+      { return Point_3(s * p.x() - c * p.y(), -c * p.x() - s * p.y(), p.z()); });
+    TopoDS_Shape solid;
+    SMSC::Stitching_report report;
+    assert(SMSC::stitch_with_BRep(shell, open_cylinder(), 2 * wave, solid, report));
+    check_solid(report, 3);
+    assert(report.edge_deviation < wave);
+  }
+}
+
 // A shell that looks inwards becomes a solid with positive volume, too.
 void test_orientation()
 {
@@ -161,6 +188,7 @@ int main()
   test_too_far();
   test_disk();
   test_wavy_disk();
+  test_seam();
   test_orientation();
   test_units();
   return 0;

@@ -167,6 +167,36 @@ void test_concave_corner()
   assert(singularities == 1);
 }
 
+// Three corners of 150 degrees in place of one of a square, much closer to each other than the
+// quads, turn the boundary like that one.
+void test_close_corners()
+{
+  const double e = 0.4, b = e * (std::sqrt(3.) - 1) / 2;
+  Cross_field field;
+  field.mesh = Test::make_grid(32, 32, false, false, Test::in_plane, Test::no_hole);
+  for(int v = 0; v < field.mesh.number_of_vertices(); ++v)
+  {
+    Eigen::Vector3d& p = field.mesh.points[v];
+    const bool is_first = p == Eigen::Vector3d(0, 1, 0), is_last = p == Eigen::Vector3d(1, 0, 0);
+    if(is_first || is_last)
+      field.mesh.is_corner[v] = 1;
+    if(p.isZero())
+      p = Eigen::Vector3d(b, b, 0);
+    else if(is_first || is_last)
+      p *= e;
+  }
+  field.size.assign(field.mesh.number_of_vertices(), 2.);
+  assert(SC::internal::build_cross_field(field) == Error_code::OK);
+  check_field(field, 1);
+  int corners = 0;
+  for(int v = 0; v < field.mesh.number_of_vertices(); ++v)
+    if(field.mesh.is_border_vertex(v))
+      corners += 2 - field.quarter_turns[v];
+    else
+      assert(field.quarter_turns[v] == 4);
+  assert(corners == 4);
+}
+
 // On a cylinder the field follows axis and circles.
 void test_curvature_alignment()
 {
@@ -353,6 +383,7 @@ int main()
 {
   test_generated_inputs();
   test_concave_corner();
+  test_close_corners();
   test_curvature_alignment();
   test_case<CGAL::Simple_cartesian<double> >();
   test_case<CGAL::Exact_predicates_inexact_constructions_kernel>();

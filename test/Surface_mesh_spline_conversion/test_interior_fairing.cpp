@@ -154,7 +154,19 @@ struct Rough_fit
   SC::Conversion_report report;
 };
 
-void test_fairing(double tolerance, double smallest_gain)
+// Coarsening, as long as it helps, ends with a surface that is taken back.
+void coarsen_as_far_as_possible(Fitter& fitter, const T_NURCC_surface& surface)
+{
+  std::size_t size;
+  do
+  {
+    size = surface.number_of_control_points();
+    assert(fitter.coarsen() == SC::Error_code::OK);
+  }
+  while(surface.number_of_control_points() < size);
+}
+
+void test_fairing(double tolerance, double smallest_gain, bool do_coarsen)
 {
   Rough_fit fit(tolerance);
   SC::Default_visitor visitor;
@@ -164,6 +176,8 @@ void test_fairing(double tolerance, double smallest_gain)
                 SC::internal::boundary_fit_options(fit.input.target(), np),
                 SC::internal::Boundary_normals<Target>(), visitor, fit.report);
   assert(fitter() == SC::Error_code::OK);
+  if(do_coarsen)
+    coarsen_as_far_as_possible(fitter, fit.surface);
   const std::vector<Point> fitted = fit.control_points();
   const double error = fit.largest_normal_error();
   assert(fitter.make_fair({}) == SC::Error_code::OK);
@@ -189,6 +203,7 @@ void test_fairing(double tolerance, double smallest_gain)
 int main()
 {
   test_energy();
-  test_fairing(3 * amplitude, 20);
+  test_fairing(3 * amplitude, 20, false);
+  test_fairing(0.8 * amplitude, 1, true);
   return 0;
 }

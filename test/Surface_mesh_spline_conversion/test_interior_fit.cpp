@@ -191,6 +191,12 @@ void test_improvement()
     if(entry.stage == "fit_interior")
       iterations.push_back(entry.iteration);
   assert((iterations == std::vector<std::size_t>{0, 1, 2}));
+
+  // coarsening, however often it is tried, leaves as many refinements as there were
+  for(int i = 0; i < 24; ++i)
+    assert(fitter.coarsen() == SC::Error_code::OK);
+  const std::size_t size = surface.number_of_patches();
+  assert(fitter.improve({place}, {}) == SC::Error_code::OK && surface.number_of_patches() > size);
 }
 
 // the largest distance at equal parameters, at points that are no samples of the fit

@@ -295,10 +295,11 @@ quads of a given size.
 In the boundary faces the field is aligned with the boundary, elsewhere it follows the directions
 that the user wants, or those of principal curvature where these are distinct. Boundary vertices are
 regular, but for corners with an interior angle below 135 degrees, at which one quad will stand;
-what the field turns more at other corners is moved to an inner vertex, about two quads away. Pairs
-of opposite singularities that are closer than two quads cancel each other. The field lives on a
-refinement of the mesh: edges that are longer than a quad or that join two boundary vertices or two
-singularities are split.
+what convex corners turn together is rounded where they are closer than a quarter of a quad, as at a
+chamfer. What the field turns more at other corners is moved to an inner vertex, about two quads
+away. Pairs of opposite singularities that are closer than two quads cancel each other. The field
+lives on a refinement of the mesh: edges that are longer than a quad or that join two boundary
+vertices or two singularities are split.
 
 If the mesh is much finer than the quads or has many badly shaped triangles, the field is computed
 on a proxy: a mesh of well-shaped triangles of about a third of the quad size, with vertices on the

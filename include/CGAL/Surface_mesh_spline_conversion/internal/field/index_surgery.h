@@ -176,6 +176,7 @@ private:
   static constexpr double smallest_boundary_distance = 2;
   static constexpr double smallest_cone_distance = 1.5;
   static constexpr double search_radius = 3;
+  static constexpr double smallest_corner_distance = 0.25;
 
   void set_targets()
   {
@@ -190,6 +191,64 @@ private:
            && m_total_angle[v] > 4 * right_angle)
           m_target[v] = m_field.quarter_turns[v];
       }
+    set_targets_of_close_corners();
+  }
+
+  // Convex corners that are much closer to each other than the quads, as those of a chamfer, turn
+  // the boundary like one: what they turn is rounded together. (Rounded alone, two corners of 135
+  // degrees turn it by nothing, or by twice as much.)
+  void set_targets_of_close_corners()
+  {
+    std::vector<int> next(m_mesh.number_of_vertices(), -1);
+    std::vector<char> is_first(m_mesh.number_of_vertices(), 1);
+    for(int v = 0; v < m_mesh.number_of_vertices(); ++v)
+      if(is_convex_corner(v))
+      {
+        next[v] = close_corner_after(v);
+        if(next[v] >= 0)
+          is_first[next[v]] = 0;
+      }
+    for(int v = 0; v < m_mesh.number_of_vertices(); ++v)
+      if(next[v] >= 0 && is_first[v])
+      {
+        std::vector<int> corners;
+        for(int w = v; w >= 0; w = next[w])
+          corners.push_back(w);
+        round_turns_together(corners);
+      }
+  }
+
+  bool is_convex_corner(int v) const
+  {
+    return m_mesh.is_corner[v] && m_total_angle[v] < 2 * right_angle;
+  }
+
+  // the next corner of the boundary, if it is convex and close, or -1
+  int close_corner_after(int v) const
+  {
+    const double largest = smallest_corner_distance * m_field.size[v];
+    double distance = 0;
+    int w = v;
+    do
+    {
+      const int h = m_mesh.vertex_halfedge[w];
+      distance += m_mesh.vector(h).norm();
+      w = m_mesh.target(h);
+    }
+    while(!m_mesh.is_corner[w] && distance < largest);
+    return distance < largest && w != v && is_convex_corner(w) ? w : -1;
+  }
+
+  void round_turns_together(std::vector<int>& corners)
+  {
+    double turn = 0;
+    for(int v : corners)
+      turn += (std::min)(1., 2 - m_total_angle[v] / right_angle);
+    std::stable_sort(corners.begin(), corners.end(),
+                     [this](int v, int w) { return m_total_angle[v] < m_total_angle[w]; });
+    const std::size_t turning = static_cast<std::size_t>(std::lround(turn));
+    for(std::size_t i = 0; i < corners.size(); ++i)
+      m_target[corners[i]] = i < turning ? 1 : 2;
   }
 
   int surplus(int v) const { return m_field.quarter_turns[v] - m_target[v]; }

@@ -145,8 +145,11 @@ private:
     Surface surface;
     std::unique_ptr<Samples> samples;
     std::unique_ptr<Errors> error;
+    std::vector<bool> is_fixed;
     Largest_error largest;
     Error_code boundary_code;
+    size_type refinements;
+    int tangency_refinements;
     Conversion_report::Boundary boundary;
     Conversion_report::Interior interior;
     Conversion_report::Smoothness smoothness;
@@ -191,7 +194,7 @@ private:
   bool can_refine(const std::vector<Patch_split>& splits) const
   {
     return m_surface.number_of_patches() + 3 * splits.size() <= m_options.maximum_number_of_patches
-           && m_iteration + 1 < maximum_number_of_iterations;
+           && m_refinements + 1 < maximum_number_of_iterations;
   }
 
   // Has the error hardly fallen although the surface has grown to twice its patches, and each patch
@@ -261,6 +264,7 @@ private:
     m_surface = Surface(m_target.layout());
     m_surface.refine_to(patches);
     m_is_fitted = false;
+    m_refinements = 0;
     m_tangency_refinements = 0;
     ++m_iteration;
     const Error_code code = fit_boundary();
@@ -269,8 +273,9 @@ private:
 
   State save()
   {
-    return State{m_surface, std::move(m_samples), std::move(m_error), m_largest, m_boundary_code,
-                 m_report.boundary, m_report.interior, m_report.smoothness, m_report.message};
+    return State{m_surface, std::move(m_samples), std::move(m_error), m_is_fixed, m_largest,
+                 m_boundary_code, m_refinements, m_tangency_refinements, m_report.boundary,
+                 m_report.interior, m_report.smoothness, m_report.message};
   }
 
   void restore(State&& state)
@@ -279,8 +284,11 @@ private:
     m_is_fitted = true;
     m_samples = std::move(state.samples);
     m_error = std::move(state.error);
+    m_is_fixed = std::move(state.is_fixed);
     m_largest = state.largest;
     m_boundary_code = state.boundary_code;
+    m_refinements = state.refinements;
+    m_tangency_refinements = state.tangency_refinements;
     m_report.boundary = state.boundary;
     m_report.interior = state.interior;
     m_report.smoothness = state.smoothness;
@@ -296,6 +304,7 @@ private:
                   + std::to_string(m_surface.number_of_patches()) + " patches; allow more "
                   "patches, or a larger interior tolerance, or make the quads smaller");
     m_surface.refine(splits);
+    ++m_refinements;
     return fit_boundary();
   }
 
@@ -441,6 +450,7 @@ private:
   Error_code m_boundary_code = Error_code::OK; // of the last fit of the boundary
   bool m_is_fitted = false; // does the surface come from a fit, maybe refined?
   size_type m_iteration = 0;
+  size_type m_refinements = 0; // of the present surface
   std::vector<Patch_split> m_tangency_splits; // of patches that are not tangent
   int m_tangency_refinements = 0;
 };

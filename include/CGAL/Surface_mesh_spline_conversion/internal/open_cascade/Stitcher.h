@@ -232,8 +232,13 @@ private:
                                                                last);
     const Handle(Geom_Curve) curve = BRep_Tool::Curve(partner.piece->edge, first, last);
     // where the first parameter of the piece lies on the free edge
-    const double start = partner.is_forward ? begin
-      : m_free_edges.curves().nearest(curve->Value(first), i).parameter;
+    double start = begin;
+    if(!partner.is_forward)
+    {
+      start = m_free_edges.curves().nearest(curve->Value(first), i).parameter;
+      if(start < partner.middle) // the vertex of a closed edge, as the start of it
+        start = m_free_edges.curves().last(i);
+    }
     const Handle(Geom_Surface) surface = BRep_Tool::Surface(face);
     const Handle(Geom2d_Curve) pcurve
       = Edge_on_surface(curve, surface)(first, last, old->Value(start));
