@@ -405,6 +405,7 @@ private:
   }
 
   // Faces that are merged better are the same surface, with other edges at which normals are compared.
+  // `pieces`: those of the cells if not null, see pieces_of_cells()
   NURBS_shell_3<Kernel> extract_shell(const Surface& surface, const Component_network& network,
                                       std::vector<Bezier_piece>* pieces) const
   {

@@ -80,8 +80,8 @@ public:
     Points points(static_cast<Eigen::Index>(m_unknown.size()), 3);
     for(size_type i = 0; i < m_unknown.size(); ++i)
       points.row(static_cast<Eigen::Index>(i)) = to_eigen(surface.control_point(i)).transpose();
-    if(!solve(points, relative_accuracy))
-      return false;
+    if(!solve(points, relative_accuracy) || !points.allFinite())
+      return false; // nothing is known of the curves between the samples that were checked
     for(size_type i = 0; i < m_unknown.size(); ++i)
       if(m_unknown[i] != fixed)
       {

@@ -92,6 +92,7 @@ private:
   // on takes back at least one foot
   static void unfold(size_type columns, size_type rows, const Points& original, Points& feet)
   {
+    std::vector<char> is_original(feet.size(), false);
     bool is_changed = true;
     while(is_changed)
     {
@@ -103,9 +104,10 @@ private:
           if(normal(feet, k, columns).dot(normal(original, k, columns)) > 0)
             continue;
           for(size_type corner : {k, k + 1, k + columns, k + columns + 1})
-            if(feet[corner] != original[corner])
+            if(!is_original[corner])
             {
               feet[corner] = original[corner];
+              is_original[corner] = true;
               is_changed = true;
             }
         }
