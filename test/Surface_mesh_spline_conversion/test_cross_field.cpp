@@ -365,6 +365,9 @@ void test_sizes_and_errors()
   check_field(field, 2);
   assert(SC::compute_cross_field(tm, network, field, params::quad_size_map(0.))
          == Error_code::INVALID_PARAMETER);
+  const auto tiny = [](Mesh::Vertex_index) { return 1e-4; }; // more than a million quads
+  assert(SC::compute_cross_field(tm, network, field, params::quad_size_map(tiny))
+         == Error_code::INVALID_PARAMETER);
   assert(SC::compute_cross_field(tm, network, field, params::quad_size_map(0.25))
          == Error_code::OK);
   assert(*std::min_element(field.size.begin(), field.size.end()) == 0.25);

@@ -25,6 +25,7 @@
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <memory>
@@ -195,13 +196,27 @@ inline bool build_cross_field_on_proxy(Cross_field& field,
   return true;
 }
 
+// returns a lower bound of the number of quads of the given sizes at the vertices
+inline double least_number_of_quads(const Working_mesh& mesh, const std::vector<double>& size)
+{
+  double result = 0;
+  for(int f = 0; f < mesh.number_of_faces(); ++f)
+  {
+    const std::array<int, 3>& v = mesh.triangles[f];
+    const double largest = (std::max)({size[v[0]], size[v[1]], size[v[2]]});
+    result += mesh.normal(f).norm() / (2 * largest * largest);
+  }
+  return result;
+}
+
 // The wanted quad sizes at the vertices of the working mesh, of which the first ones are those of
-// `vertex`. Returns `false` if one is not a positive number.
+// `vertex`. Returns `false` if one is not a positive number, or if there would be too many quads.
 template <typename Size, typename VertexDescriptor>
 bool compute_quad_sizes(const Working_mesh& mesh, const std::vector<VertexDescriptor>& vertex,
                         const Size& size_map, double diameter, std::vector<double>& size)
 {
   const double quads_per_diameter = 40, edges_per_quad = 2;
+  const double most_quads = 1e6; // many times what memory and CAD systems stand
   const double default_size = (std::max)(diameter / quads_per_diameter,
                                          edges_per_quad * mean_edge_length(mesh));
   size.clear();
@@ -215,7 +230,7 @@ bool compute_quad_sizes(const Working_mesh& mesh, const std::vector<VertexDescri
   const double largest = *std::max_element(size.begin(), size.end());
   size.resize(mesh.number_of_vertices(), largest);
   limit_gradation(mesh, size_gradation, size);
-  return true;
+  return least_number_of_quads(mesh, size) <= most_quads;
 }
 
 template <typename TriangleMesh>
@@ -325,7 +340,8 @@ faces at most. If this fails, the mesh itself is used.
                     `ReadablePropertyMap` with this as key type and a number type as value type}
     \cgalParamDefault{the larger of `D / 40` and twice the mean edge length, where `D` is
                        `smallest_enclosing_sphere_diameter(tm)`}
-    \cgalParamExtra{sizes are reduced where they grow faster than by half of the distance}
+    \cgalParamExtra{Sizes are reduced where they grow faster than by half of the distance. Those that
+                    would give more than a million quads are refused.}
   \cgalParamNEnd
   \cgalParamNBegin{cross_field_map}
     \cgalParamDescription{a direction at each face that one arm of the cross should follow. Only its

@@ -79,7 +79,7 @@ mesh to T-NURCC surface conversion*, Computers & Graphics 82 (2019).
                     `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a number
                     type as value type, or a function object that returns a number for a vertex}
     \cgalParamDefault{the larger of *D* / 40 and twice the mean edge length of `tm`}
-    \cgalParamExtra{A number that would give more than a million quads is refused. On a connected
+    \cgalParamExtra{Sizes that would give more than a million quads are refused. On a connected
                     component where the surface would be folded over, or too far from the mesh
                     although the fit is not, quads of 0.7 of this size are tried, then of 0.49 and
                     0.34 of it; a warning tells which.}
