@@ -196,6 +196,9 @@ inline bool build_cross_field_on_proxy(Cross_field& field,
   return true;
 }
 
+// sizes that would give more are refused: many times what memory and CAD systems stand
+constexpr double largest_number_of_quads = 1e6;
+
 // returns a lower bound of the number of quads of the given sizes at the vertices
 inline double least_number_of_quads(const Working_mesh& mesh, const std::vector<double>& size)
 {
@@ -216,7 +219,6 @@ bool compute_quad_sizes(const Working_mesh& mesh, const std::vector<VertexDescri
                         const Size& size_map, double diameter, std::vector<double>& size)
 {
   const double quads_per_diameter = 40, edges_per_quad = 2;
-  const double most_quads = 1e6; // many times what memory and CAD systems stand
   const double default_size = (std::max)(diameter / quads_per_diameter,
                                          edges_per_quad * mean_edge_length(mesh));
   size.clear();
@@ -230,7 +232,7 @@ bool compute_quad_sizes(const Working_mesh& mesh, const std::vector<VertexDescri
   const double largest = *std::max_element(size.begin(), size.end());
   size.resize(mesh.number_of_vertices(), largest);
   limit_gradation(mesh, size_gradation, size);
-  return least_number_of_quads(mesh, size) <= most_quads;
+  return least_number_of_quads(mesh, size) <= largest_number_of_quads;
 }
 
 template <typename TriangleMesh>

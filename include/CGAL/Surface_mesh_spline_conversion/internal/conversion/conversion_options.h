@@ -14,6 +14,7 @@
 #include <CGAL/Surface_mesh_spline_conversion/Conversion_report.h>
 #include <CGAL/Surface_mesh_spline_conversion/Error_code.h>
 #include <CGAL/Surface_mesh_spline_conversion/Error_metric.h>
+#include <CGAL/Surface_mesh_spline_conversion/compute_cross_field.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/fit_parameters.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/format_number.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/named_parameters.h>
@@ -146,9 +147,8 @@ template <typename TriangleMesh, typename VertexPointMap>
 void check_quad_size(double size, const TriangleMesh& tm, const VertexPointMap& vpm,
                      Conversion_report& report)
 {
-  const double most_quads = 1e6; // many times what memory and CAD systems stand
   report.quad_size = size;
-  if(size > 0 && surface_area(tm, vpm) > most_quads * size * size)
+  if(size > 0 && surface_area(tm, vpm) > largest_number_of_quads * size * size)
     fail(Error_code::INVALID_PARAMETER, "the quad size " + format_number(size)
          + " would give more than a million quads", report);
   if(size < mean_edge_length(tm, vpm))
