@@ -152,8 +152,8 @@ struct Flat_target
 
   const Layout<K>& layout() const { return quads; }
   std::size_t number_of_mesh_faces() const { return 0; }
-  std::array<std::size_t, 3> mesh_face(std::size_t) const { return {{0, 0, 0}}; }
-  Point_3 mesh_vertex(std::size_t) const { return Point_3(0, 0, 0); }
+  std::array<std::size_t, 6> points_of_mesh_face(std::size_t) const { return {}; }
+  Point_3 mesh_point(std::size_t) const { return Point_3(0, 0, 0); }
 
   Point_3 point(std::size_t, double u, double v, std::size_t& face) const
   {

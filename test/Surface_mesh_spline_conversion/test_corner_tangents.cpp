@@ -126,9 +126,9 @@ struct Bilinear_target
 
   bool is_on_mesh(std::size_t, double, double) const { return true; }
   std::size_t number_of_mesh_faces() const { return 0; }
-  std::size_t number_of_mesh_vertices() const { return 0; }
-  std::array<std::size_t, 3> mesh_face(std::size_t) const { return {{0, 0, 0}}; }
-  Point mesh_vertex(std::size_t) const { return Point(0, 0, 0); }
+  std::size_t number_of_mesh_points() const { return 0; }
+  std::array<std::size_t, 6> points_of_mesh_face(std::size_t) const { return {}; }
+  Point mesh_point(std::size_t) const { return Point(0, 0, 0); }
 };
 
 // A pentagon of n x n quads around each corner, with one extraordinary point, and a notch in the

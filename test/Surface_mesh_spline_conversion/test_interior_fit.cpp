@@ -86,9 +86,9 @@ struct Smooth_target
 
   bool is_on_mesh(std::size_t, double, double) const { return true; }
   std::size_t number_of_mesh_faces() const { return 0; }
-  std::size_t number_of_mesh_vertices() const { return 0; }
-  std::array<std::size_t, 3> mesh_face(std::size_t) const { return {{0, 0, 0}}; }
-  Point mesh_vertex(std::size_t) const { return Point(0, 0, 0); }
+  std::size_t number_of_mesh_points() const { return 0; }
+  std::array<std::size_t, 6> points_of_mesh_face(std::size_t) const { return {}; }
+  Point mesh_point(std::size_t) const { return Point(0, 0, 0); }
 };
 
 template <typename FitSurface>

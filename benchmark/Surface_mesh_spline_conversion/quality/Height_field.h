@@ -76,9 +76,9 @@ public:
 
   // there is no mesh
   std::size_t number_of_mesh_faces() const { return 0; }
-  std::size_t number_of_mesh_vertices() const { return 0; }
-  std::array<std::size_t, 3> mesh_face(std::size_t) const { return {{0, 0, 0}}; }
-  Point_3 mesh_vertex(std::size_t) const { return Point_3(0, 0, 0); }
+  std::size_t number_of_mesh_points() const { return 0; }
+  std::array<std::size_t, 6> points_of_mesh_face(std::size_t) const { return {}; }
+  Point_3 mesh_point(std::size_t) const { return Point_3(0, 0, 0); }
 
   Point_3 point(std::size_t quad, FT u, FT v) const
   {

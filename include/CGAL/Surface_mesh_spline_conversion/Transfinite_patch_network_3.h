@@ -296,17 +296,34 @@ public:
   /// returns the number of faces of the mesh.
   size_type number_of_mesh_faces() const { return m_mesh->number_of_faces(); }
 
-  /// returns the number of vertices of the mesh.
-  size_type number_of_mesh_vertices() const { return m_mesh->number_of_vertices(); }
-
-  /// returns the positions in `vertices(tm)` of the vertices of the face at the position `face`.
-  const std::array<size_type, 3>& mesh_face(size_type face) const { return m_mesh->corners(face); }
-
-  /// returns the point of the vertex at the position `vertex`, rounded to doubles.
-  Point_3 mesh_vertex(size_type vertex) const
+  /// returns the number of points where the mesh may be farthest from a surface: its vertices and the
+  /// middles of its inner edges. A smooth target does not have the latter.
+  size_type number_of_mesh_points() const
   {
-    const Mesh_projection::Point_3& p = m_mesh->vertex(vertex);
+    return m_mesh->number_of_vertices() + (has_smooth_target() ? 0 : m_mesh->number_of_edges());
+  }
+
+  /// returns the point of the vertex at the position `i` in `vertices(tm)`, or the middle of an edge
+  /// where `i` is not less than the number of vertices, rounded to doubles.
+  Point_3 mesh_point(size_type i) const
+  {
+    const size_type n = m_mesh->number_of_vertices();
+    const Mesh_projection::Point_3 p = i < n ? m_mesh->vertex(i) : m_mesh->middle(i - n);
     return Point_3(FT(p.x()), FT(p.y()), FT(p.z()));
+  }
+
+  /// returns the numbers of the vertices of the face at the position `face`, and of the middles of
+  /// its edges; the largest number stands for those that do not count.
+  std::array<size_type, 6> points_of_mesh_face(size_type face) const
+  {
+    constexpr size_type none = Mesh_projection::none;
+    const auto& v = m_mesh->corners(face);
+    const auto& e = m_mesh->edges(face);
+    const auto middle = [this](size_type edge)
+    {
+      return edge == none || has_smooth_target() ? none : m_mesh->number_of_vertices() + edge;
+    };
+    return {{v[0], v[1], v[2], middle(e[0]), middle(e[1]), middle(e[2])}};
   }
 
   /// @}

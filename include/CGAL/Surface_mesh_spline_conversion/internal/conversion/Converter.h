@@ -119,6 +119,10 @@ private:
   // more than the tolerance, the surface is refined, and the fit goes on; so many times at most.
   static constexpr int maximum_number_of_improvements = 8;
 
+  // Before each refinement, and against pieces that are folded over, larger weights are tried that
+  // many times.
+  static constexpr int maximum_number_of_closer_fits = 4;
+
   // Where the normals of neighbouring faces do not agree, or a face looks the other way than the mesh,
   // only the first times count: below the size of the faces of the mesh the normals have no meaning.
   static constexpr int maximum_number_of_smoothings = 4;
@@ -302,20 +306,34 @@ private:
     Error_code code = run("fit_interior", part, [&]() { return fitter(); });
     if(code == Error_code::OK && m_options.do_coarsen)
       code = run("fit_interior", part, [&]() { return fitter.coarsen(); });
-    for(int round = 0; is_surface(code); ++round)
+    int refinements = 0, closer_fits = 0;
+    while(is_surface(code))
     {
       Deviation<Kernel> deviation;
       const Error_code measured = run("measure_deviation", part, [&]()
         { return measure(surface, network, meter, part, deviation); });
-      const std::vector<Point_3> rough
-        = round < maximum_number_of_smoothings ? rough_places(deviation) : std::vector<Point_3>();
-      if(code != Error_code::OK || round == maximum_number_of_improvements
-         || (deviation.interior_violations.empty() && rough.empty()))
+      const bool has_folds = has_avoidable_folds(deviation, component, network);
+      const std::vector<Point_3>& far = deviation.interior_violations;
+      const std::vector<Point_3> rough = refinements < maximum_number_of_smoothings
+                                           ? rough_places(deviation) : std::vector<Point_3>();
+      if(code == Error_code::OK && rough.empty() && closer_fits < maximum_number_of_closer_fits
+         && (has_folds || !far.empty()))
+      {
+        const std::vector<Point_3>& places = far.empty() ? deviation.piece_folds : far;
+        bool is_closer = false;
+        code = run("fit_interior", part, [&]()
+          { is_closer = fitter.move_closer(places); return Error_code::OK; });
+        closer_fits = is_closer ? closer_fits + 1 : maximum_number_of_closer_fits;
+        if(is_closer)
+          part.message = message;
+        if(is_closer || code != Error_code::OK)
+          continue;
+      }
+      if(code != Error_code::OK || refinements == maximum_number_of_improvements
+         || (far.empty() && rough.empty()))
       {
         attempt.folds = deviation.piece_folds.size() + deviation.faces_against_mesh;
-        attempt.is_flawed
-          = has_avoidable_folds(deviation, component, network)
-            || (code == Error_code::OK && measured != Error_code::OK);
+        attempt.is_flawed = has_folds || (code == Error_code::OK && measured != Error_code::OK);
         if(code == Error_code::OK && measured == Error_code::OK && m_options.do_fair)
           return make_fair(fitter, surface, network, meter, part, deviation);
         warn_about_normals(deviation, part);
@@ -323,8 +341,9 @@ private:
         return code == Error_code::OK ? measured : code;
       }
       part.message = message;
-      code = run("fit_interior", part, [&]()
-        { return fitter.improve(deviation.interior_violations, rough); });
+      code = run("fit_interior", part, [&]() { return fitter.improve(far, rough); });
+      ++refinements;
+      closer_fits = 0;
     }
     return code;
   }

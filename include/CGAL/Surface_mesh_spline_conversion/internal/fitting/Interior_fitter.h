@@ -96,6 +96,18 @@ public:
     return m_boundary_code;
   }
 
+  // Goes on after a fit that has met the tolerances: fits again with larger weights where someone else
+  // has found the surface to be too far from the mesh, or folded. Returns `false`, and keeps the fit,
+  // if not all tolerances are met then.
+  bool move_closer(const std::vector<Point_3>& places)
+  {
+    if(is_parametric()
+       || !refit().move_closer(m_error->patches_at(places), *m_error, next_accuracy))
+      return false;
+    m_largest = m_error->largest();
+    return true;
+  }
+
   // Goes on after a fit that has met the tolerances: refines the surface where someone else has
   // found it to be too far from the mesh, and around places where the normals do not agree, and
   // fits again.
@@ -131,8 +143,7 @@ public:
   // returns the largest distance between the surface and the target, which need not be the mesh
   double largest_error() const
   {
-    return Errors(m_surface, m_target, *m_samples,
-                  m_options.error_metric == Error_metric::PARAMETRIC, nullptr).largest().error;
+    return Errors(m_surface, m_target, *m_samples, is_parametric(), nullptr).largest().error;
   }
 
   // takes the fit back, as if it had not been made fair
@@ -145,7 +156,7 @@ private:
     Surface surface;
     std::unique_ptr<Samples> samples;
     std::unique_ptr<Errors> error;
-    std::vector<bool> is_fixed;
+    std::vector<bool> is_fixed, is_fixed_in_refits;
     Largest_error largest;
     Error_code boundary_code;
     size_type refinements;
@@ -169,8 +180,12 @@ private:
   static constexpr double first_accuracy = 1e-9;
   static constexpr double next_accuracy = 1e-5;
 
+  // Patches that exceed the tolerance by no more than this factor wait until there are no others.
+  // Then they get larger weights before they are refined.
+  static constexpr double small_excess = 1.25;
+
   // Refinements that go on for longer than that chase a place where the surface cannot follow.
-  static constexpr size_type maximum_number_of_iterations = 24;
+  static constexpr size_type maximum_number_of_iterations = 48;
 
   Error_code fail(Error_code code, const std::string& message)
   {
@@ -215,6 +230,19 @@ private:
     return false;
   }
 
+  // Returns the error from which on patches are refined. The error of a patch falls when those beside
+  // it are refined: the worst ones come first, unless the largest error does not fall.
+  double least_refined_error(const std::vector<Level>& levels) const
+  {
+    constexpr double large_share = 2. / 3, least_fall = 0.9;
+    constexpr size_type rounds = 4; // a single one may not help
+    const bool is_stuck = levels.size() > rounds
+      && m_largest.error > least_fall * levels[levels.size() - 1 - rounds].error;
+    if(is_parametric() || !m_has_large_errors || is_stuck)
+      return m_options.tolerance;
+    return (std::max)(small_excess * m_options.tolerance, large_share * m_largest.error);
+  }
+
   Error_code fail_at_worst_place()
   {
     const Eigen::Vector3d& p = m_largest.place;
@@ -225,9 +253,9 @@ private:
                 "the mesh there, or make the quads smaller");
   }
 
-  // Fits, and refines the patches whose error is not below the tolerance, until there is none.
-  // Those with less than `share_of_worst` of the largest error wait. Gives up at
-  // `number_of_patches`, and where refinement does not help.
+  // Fits, and refines the patches whose error is not below the tolerance, the worst first, until
+  // there is none. Those with less than `share_of_worst` of the largest error wait in any case.
+  // Gives up at `number_of_patches`, and where refinement does not help.
   Error_code refine_until_met(double share_of_worst, size_type number_of_patches)
   {
     std::vector<Level> levels;
@@ -241,7 +269,7 @@ private:
       record(timer.time());
       const bool is_met = m_largest.error < m_options.tolerance;
       const std::vector<Patch_split> splits = is_met ? splits_for_tangency() : m_error->violations(
-        (std::max)(m_options.tolerance, share_of_worst * m_largest.error));
+        (std::max)(least_refined_error(levels), share_of_worst * m_largest.error));
       if(is_met && (splits.empty() || !can_refine(splits)))
         return m_boundary_code;
       levels.push_back(Level{m_largest.error, m_surface.number_of_patches()});
@@ -273,9 +301,10 @@ private:
 
   State save()
   {
-    return State{m_surface, std::move(m_samples), std::move(m_error), m_is_fixed, m_largest,
-                 m_boundary_code, m_refinements, m_tangency_refinements, m_report.boundary,
-                 m_report.interior, m_report.smoothness, m_report.message};
+    return State{m_surface, std::move(m_samples), std::move(m_error), m_is_fixed,
+                 m_is_fixed_in_refits, m_largest, m_boundary_code, m_refinements,
+                 m_tangency_refinements, m_report.boundary, m_report.interior, m_report.smoothness,
+                 m_report.message};
   }
 
   void restore(State&& state)
@@ -285,6 +314,7 @@ private:
     m_samples = std::move(state.samples);
     m_error = std::move(state.error);
     m_is_fixed = std::move(state.is_fixed);
+    m_is_fixed_in_refits = std::move(state.is_fixed_in_refits);
     m_largest = state.largest;
     m_boundary_code = state.boundary_code;
     m_refinements = state.refinements;
@@ -340,18 +370,28 @@ private:
     const std::unique_ptr<Samples> previous = std::move(m_samples);
     const std::unique_ptr<Errors> previous_error = std::move(m_error);
     m_samples.reset(new Samples(m_surface, m_target, previous.get()));
-    std::vector<bool> is_fixed = boundary_control_points();
-    const Error_code code = move_control_points(is_fixed);
+    m_is_fixed_in_refits = boundary_control_points();
+    const Error_code code = move_control_points(m_is_fixed_in_refits);
     if(code != Error_code::OK)
       return code;
-    m_error.reset(new Errors(m_surface, m_target, *m_samples,
-                             m_options.error_metric == Error_metric::PARAMETRIC,
+    m_error.reset(new Errors(m_surface, m_target, *m_samples, is_parametric(),
                              previous_error.get()));
-    if(m_options.error_metric != Error_metric::PARAMETRIC) // the paper knows no weights of patches
-      Reweighted_fit<Surface, Target>(m_surface, m_target, *m_samples, is_fixed,
-                                      m_options.tolerance)(*m_error, next_accuracy);
+    m_largest = m_error->largest();
+    m_has_large_errors = m_largest.error >= small_excess * m_options.tolerance;
+    if(is_parametric() || m_has_large_errors)
+      return Error_code::OK;
+    refit()(*m_error, next_accuracy);
     m_largest = m_error->largest();
     return Error_code::OK;
+  }
+
+  // The paper refines all patches at once, and knows no weights.
+  bool is_parametric() const { return m_options.error_metric == Error_metric::PARAMETRIC; }
+
+  Reweighted_fit<Surface, Target> refit()
+  {
+    return Reweighted_fit<Surface, Target>(m_surface, m_target, *m_samples, m_is_fixed_in_refits,
+                                           m_options.tolerance);
   }
 
   // `is_fixed`: the control points of the boundary, and then all that shall stay where they are
@@ -445,8 +485,10 @@ private:
   std::unique_ptr<Samples> m_samples; // at the last refinement level
   std::unique_ptr<Errors> m_error;    // of the last fit
   std::vector<bool> m_is_fixed;       // the control points that the last fit could not move
+  std::vector<bool> m_is_fixed_in_refits; // these, and those that have moved for smooth creases
   std::unique_ptr<Fairing> m_fairing; // of the last fit
   Largest_error m_largest;
+  bool m_has_large_errors = false; // before patches got larger weights
   Error_code m_boundary_code = Error_code::OK; // of the last fit of the boundary
   bool m_is_fitted = false; // does the surface come from a fit, maybe refined?
   size_type m_iteration = 0;

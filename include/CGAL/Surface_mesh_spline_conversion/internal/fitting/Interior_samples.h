@@ -345,10 +345,10 @@ private:
     if(face >= m_target.number_of_mesh_faces())
       return Grid{fine_grid, fine_grid};
     double edge = 0;
-    const auto& vertices = m_target.mesh_face(face);
+    const auto points = m_target.points_of_mesh_face(face); // its vertices first
     for(size_type i = 0; i < 3; ++i)
-      edge = (std::max)(edge, (to_eigen(m_target.mesh_vertex(vertices[i]))
-                               - to_eigen(m_target.mesh_vertex(vertices[(i + 1) % 3]))).norm());
+      edge = (std::max)(edge, (to_eigen(m_target.mesh_point(points[i]))
+                               - to_eigen(m_target.mesh_point(points[(i + 1) % 3]))).norm());
     const auto number = [edge](double length)
       { return 2 * length < edge ? coarse_grid : fine_grid; };
     return Grid{number((center - left).norm() + (right - center).norm()),

@@ -50,7 +50,6 @@ public:
   // `errors`: of the fit, and then of the best one that was found. `accuracy`: see Interior_system
   void operator()(Errors& errors, double accuracy)
   {
-    constexpr int number_of_rounds = 4;
     constexpr double largest_share = 0.4; // of violating patches
     std::vector<Patch_error> violations = errors.errors(m_tolerance, largest_excess * m_tolerance);
     if(double(violations.size()) > largest_share * double(m_samples.number_of_patches()))
@@ -67,12 +66,33 @@ public:
       points = control_points();
       errors.accept();
     }
-    for(size_type i = 0; i < points.size(); ++i)
-      m_surface.set_control_point(i, points[i]);
-    errors.take_back();
+    take_back(points, errors);
+  }
+
+  // Moves the surface closer to the target on some patches of a fit that meets the tolerance, so that
+  // it still does. Returns `false` if that is not possible, the fit is the same then.
+  bool move_closer(const std::vector<size_type>& patches, Errors& errors, double accuracy)
+  {
+    std::vector<Patch_error> violations;
+    for(size_type p : patches)
+      violations.push_back(Patch_error{p, m_tolerance});
+    const std::vector<Point_3> points = control_points();
+    for(int round = 0; round < number_of_rounds && fit(violations, accuracy); ++round)
+    {
+      errors.update();
+      violations = errors.errors(m_tolerance, largest_excess * m_tolerance);
+      if(!violations.empty())
+        continue;
+      errors.accept();
+      return true;
+    }
+    take_back(points, errors);
+    return false;
   }
 
 private:
+  static constexpr int number_of_rounds = 4;
+
   // Patches whose error exceeds the tolerance by this factor have to be refined anyway.
   static constexpr double largest_excess = 2;
 
@@ -82,6 +102,13 @@ private:
     for(size_type i = 0; i < m_is_fixed.size(); ++i)
       result.push_back(m_surface.control_point(i));
     return result;
+  }
+
+  void take_back(const std::vector<Point_3>& points, Errors& errors)
+  {
+    for(size_type i = 0; i < points.size(); ++i)
+      m_surface.set_control_point(i, points[i]);
+    errors.take_back();
   }
 
   // fits with larger weights; returns `false` if that is not possible

@@ -16,7 +16,7 @@
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/Nearest_sample.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/Split_directions.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/Surface_foot_point.h>
-#include <CGAL/Surface_mesh_spline_conversion/internal/fitting/Vertex_samples.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/fitting/Mesh_point_samples.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/for_each_index.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/to_eigen.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/patches/quad_sides.h>
@@ -43,9 +43,10 @@ struct Largest_error
   Eigen::Vector3d place = Eigen::Vector3d(0, 0, 0); // on the surface
 };
 
-// Measures the distance between surface and target at the error samples of all patches, and from
-// the vertices of the mesh to the surface: there the mesh is farthest from a smooth surface.
-// Vertices along the boundary do not count where the target differs from the mesh.
+// Measures the distance between surface and target at the error samples of all patches, and to the
+// surface from the points of the mesh where it is farthest from a smooth surface: its vertices and the middles of
+// its edges. They do not count along the boundary, where the target differs from the mesh. Above an
+// edge, the distance from the surface to the mesh has a ridge, which the samples of patches miss.
 //
 // The distance between points with equal parameters is an upper bound of the distance between a
 // point and the other side; so is the distance before control points have moved, plus the largest
@@ -91,7 +92,7 @@ public:
         make_bounds(p);
     });
     if(!is_parametric)
-      add_vertices(previous);
+      add_mesh_points(previous);
   }
 
   // Adapts the bounds since control points have moved. What was known before is kept until the
@@ -114,8 +115,8 @@ public:
       if(m_moves[p] == 0)
         return;
       make_bounds(p);
-      for(size_type i = first_vertex(p); i < first_vertex(p + 1); ++i)
-        increase_bound(m_vertices[i], p);
+      for(size_type i = first_mesh_point(p); i < first_mesh_point(p + 1); ++i)
+        increase_bound(m_mesh_points[i], p);
     });
   }
 
@@ -210,10 +211,16 @@ public:
   // which they should be split
   std::vector<Patch_split> splits_at(const std::vector<Point_3>& points) const
   {
+    return splits(patches_at(points));
+  }
+
+  // returns the patches with the points of the surface closest to `points`
+  std::vector<size_type> patches_at(const std::vector<Point_3>& points) const
+  {
     std::set<size_type> patches;
     for(const typename Samples::Place& p : foot_places(points))
       patches.insert(p.patch);
-    return splits(std::vector<size_type>(patches.begin(), patches.end()));
+    return std::vector<size_type>(patches.begin(), patches.end());
   }
 
   // returns all patches at the points of the surface closest to `points`, to be quadrisected
@@ -308,18 +315,17 @@ private:
     return result;
   }
 
-  // Samples are followed by the vertices of the mesh.
-  bool is_vertex(size_type i) const { return i >= m_points.size(); }
+  // Samples are followed by the points of the mesh.
+  bool is_mesh_point(size_type i) const { return i >= m_points.size(); }
 
-  // returns a vertex of the mesh
-  Eigen::Vector3d vertex(size_type i) const
+  Eigen::Vector3d mesh_point(size_type i) const
   {
-    return to_eigen(m_target.mesh_vertex(i - m_points.size()));
+    return to_eigen(m_target.mesh_point(i - m_points.size()));
   }
 
   Eigen::Vector3d measured_point(size_type i) const
   {
-    return is_vertex(i) ? vertex(i) : m_points[i];
+    return is_mesh_point(i) ? mesh_point(i) : m_points[i];
   }
 
   // what was known of patches before control points moved, one patch after the other
@@ -328,7 +334,7 @@ private:
     std::vector<size_type> patches;
     typename Bezier_patches<Surface>::Elements elements;
     std::vector<Eigen::Vector3d> points;
-    std::vector<std::pair<double, char> > distances; // of samples and vertices; are they bounds?
+    std::vector<std::pair<double, char> > distances; // of samples and points of the mesh; are they bounds?
   };
 
   void keep(size_type patch)
@@ -346,24 +352,24 @@ private:
     return m_points.begin() + std::ptrdiff_t(m_samples.first_error_sample(patch));
   }
 
-  // visits the samples and the vertices of a patch
+  // visits the samples and the points of the mesh of a patch
   template <typename Visitor>
   void for_each_place(size_type patch, const Visitor& visit) const
   {
     for(size_type i = m_samples.first_error_sample(patch);
         i < m_samples.first_error_sample(patch + 1); ++i)
       visit(i);
-    for(size_type i = first_vertex(patch); i < first_vertex(patch + 1); ++i)
-      visit(m_vertices[i]);
+    for(size_type i = first_mesh_point(patch); i < first_mesh_point(patch + 1); ++i)
+      visit(m_mesh_points[i]);
   }
 
-  // measures the distance at a sample or a vertex, unless it is known
+  // measures the distance at a sample or a point of the mesh, unless it is known
   double distance(size_type i)
   {
     if(m_is_bound[i])
     {
-      m_distances[i] = is_vertex(i)
-        ? distance_to_surface(vertex(i), m_nearest[i - m_points.size()])
+      m_distances[i] = is_mesh_point(i)
+        ? distance_to_surface(mesh_point(i), m_nearest[i - m_points.size()])
         : (std::max)(distance_to_target(i), distance_to_surface(target_point(i), i));
       m_is_bound[i] = false;
     }
@@ -428,7 +434,7 @@ private:
         points[k] += values[k * n + i] * m_control_points[m_samples.function(patch, i)];
   }
 
-  // adds what the patch of a sample or a vertex has moved
+  // adds what the patch of a sample or a point of the mesh has moved
   void increase_bound(size_type i, size_type patch)
   {
     m_distances[i] = m_moves[patch] == unbounded ? unbounded : m_distances[i] + m_moves[patch];
@@ -488,35 +494,35 @@ private:
     }
   }
 
-  // appends the vertices of the mesh to the samples
-  void add_vertices(const Interior_error* previous)
+  // appends the points of the mesh to the samples
+  void add_mesh_points(const Interior_error* previous)
   {
-    const Vertex_samples<Samples, Target> nearest(m_samples, m_target);
+    const Mesh_point_samples<Samples, Target> nearest(m_samples, m_target);
     m_nearest = previous == nullptr ? nearest() : nearest(previous->m_samples, previous->m_nearest);
     const size_type n = m_points.size();
     m_distances.resize(n + m_nearest.size(), 0);
     m_is_bound.resize(n + m_nearest.size(), false);
-    m_first_vertices.assign(m_samples.number_of_patches() + 1, 0);
+    m_first_mesh_points.assign(m_samples.number_of_patches() + 1, 0);
     for(size_type v = 0; v < m_nearest.size(); ++v)
       if(is_measured(v))
-        ++m_first_vertices[place(m_nearest[v]).patch + 1];
-    std::partial_sum(m_first_vertices.begin(), m_first_vertices.end(), m_first_vertices.begin());
-    m_vertices.resize(m_first_vertices.back());
-    std::vector<size_type> next = m_first_vertices;
+        ++m_first_mesh_points[place(m_nearest[v]).patch + 1];
+    std::partial_sum(m_first_mesh_points.begin(), m_first_mesh_points.end(), m_first_mesh_points.begin());
+    m_mesh_points.resize(m_first_mesh_points.back());
+    std::vector<size_type> next = m_first_mesh_points;
     for(size_type v = 0; v < m_nearest.size(); ++v)
       if(is_measured(v))
       {
-        m_vertices[next[place(m_nearest[v]).patch]++] = n + v;
-        bound_vertex(v, previous);
+        m_mesh_points[next[place(m_nearest[v]).patch]++] = n + v;
+        bound_mesh_point(v, previous);
       }
   }
 
   bool is_measured(size_type v) const { return m_nearest[v] != Samples::none; }
 
-  void bound_vertex(size_type v, const Interior_error* previous)
+  void bound_mesh_point(size_type v, const Interior_error* previous)
   {
     const size_type i = m_nearest[v], k = m_points.size() + v, p = place(i).patch;
-    m_distances[k] = (vertex(k) - m_points[i]).norm();
+    m_distances[k] = (mesh_point(k) - m_points[i]).norm();
     m_is_bound[k] = true;
     if(m_moves[p] == unbounded || previous->m_nearest[v] != previous_sample(i, *previous))
       return;
@@ -525,10 +531,10 @@ private:
     m_is_bound[k] = m_moves[p] != 0 || previous->m_is_bound[old];
   }
 
-  // returns the position of the first vertex of a patch in `m_vertices`
-  size_type first_vertex(size_type patch) const
+  // returns the position of the first point of a patch in `m_mesh_points`
+  size_type first_mesh_point(size_type patch) const
   {
-    return m_is_parametric ? 0 : m_first_vertices[patch];
+    return m_is_parametric ? 0 : m_first_mesh_points[patch];
   }
 
   const Surface& m_surface;
@@ -538,14 +544,14 @@ private:
   Bezier_patches<Surface> m_patches;
   std::vector<Eigen::Vector3d> m_points; // of the surface
   std::vector<Eigen::Vector3d> m_control_points;
-  std::vector<double> m_distances; // at the samples, then of the vertices of the mesh
+  std::vector<double> m_distances; // at the samples, then of the points of the mesh
   std::vector<char> m_is_bound;    // are these upper bounds, or measured?
   std::vector<double> m_upper_bounds; // which all distances on a patch are below
   std::vector<double> m_moves;     // the largest ones in the neighbourhood of each patch
   std::vector<char> m_is_kept;     // patches
   Kept_patches m_kept;
-  std::vector<size_type> m_nearest; // samples to the vertices of the mesh
-  std::vector<size_type> m_vertices, m_first_vertices; // of the patches
+  std::vector<size_type> m_nearest; // samples to the points of the mesh
+  std::vector<size_type> m_mesh_points, m_first_mesh_points; // of the patches
 };
 
 } // namespace internal

@@ -83,6 +83,7 @@ public:
         m_vertices[corners[1]], m_vertices[corners[2]]}});
       m_has_area.push_back(normal(m_has_area.size()) != NULL_VECTOR);
     }
+    number_edges();
   }
 
   // Returns a point of the mesh with no closer one to `query` around it: that at the end of a way
@@ -147,6 +148,17 @@ public:
   // Neighbor `i` is across the edge that ends at corner `i`; it is `none` at the boundary.
   const std::array<std::size_t, 3>& neighbors(std::size_t face) const { return m_neighbors[face]; }
 
+  // the edges inside the mesh
+  std::size_t number_of_edges() const { return m_edges.size(); }
+
+  // Edge `i` ends at corner `i`; it is `none` at the boundary.
+  const std::array<std::size_t, 3>& edges(std::size_t face) const { return m_face_edges[face]; }
+
+  Point_3 middle(std::size_t edge) const
+  {
+    return CGAL::midpoint(m_vertices[m_edges[edge][0]], m_vertices[m_edges[edge][1]]);
+  }
+
   template <typename Point>
   static Point_3 to_double_point(const Point& p)
   {
@@ -154,9 +166,30 @@ public:
   }
 
 private:
+  // numbers each edge between two faces when the first of them is visited
+  void number_edges()
+  {
+    m_face_edges.resize(m_corners.size(), {{none, none, none}});
+    for(std::size_t f = 0; f < m_corners.size(); ++f)
+      for(std::size_t i = 0; i < 3; ++i)
+      {
+        const std::size_t other = m_neighbors[f][i];
+        if(other == none || m_face_edges[f][i] != none)
+          continue;
+        const std::size_t source = m_corners[f][(i + 2) % 3], target = m_corners[f][i];
+        m_face_edges[f][i] = m_edges.size();
+        for(std::size_t j = 0; j < 3; ++j)
+          if(m_neighbors[other][j] == f && m_corners[other][j] == source)
+            m_face_edges[other][j] = m_edges.size();
+        m_edges.push_back({{source, target}});
+      }
+  }
+
   std::vector<Point_3> m_vertices;
   std::vector<std::array<std::size_t, 3> > m_corners; // of the faces
   std::vector<std::array<std::size_t, 3> > m_neighbors;
+  std::vector<std::array<std::size_t, 3> > m_face_edges;
+  std::vector<std::array<std::size_t, 2> > m_edges; // their vertices
   std::vector<Kernel::Triangle_3> m_triangles;
   std::vector<Planar_triangle> m_planar_triangles;
   std::vector<char> m_has_area; // faces

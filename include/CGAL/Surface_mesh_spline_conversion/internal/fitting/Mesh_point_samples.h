@@ -6,8 +6,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-#ifndef CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_FITTING_VERTEX_SAMPLES_H
-#define CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_FITTING_VERTEX_SAMPLES_H
+#ifndef CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_FITTING_MESH_POINT_SAMPLES_H
+#define CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_FITTING_MESH_POINT_SAMPLES_H
 
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
@@ -25,22 +25,23 @@ namespace CGAL {
 namespace Surface_mesh_spline_conversion {
 namespace internal {
 
-// Finds, for each vertex of the mesh, the error sample whose point of the target is nearest to it,
-// of those in the faces around it. A vertex where the target differs from the mesh has none.
+// Finds, for each vertex and each middle of an edge of the mesh, the error sample whose point of the
+// target is nearest to it, of those in the faces around it. A point where the target differs from
+// the mesh has none.
 template <typename Samples, typename Target>
-class Vertex_samples
+class Mesh_point_samples
 {
   typedef std::size_t size_type;
 
 public:
-  Vertex_samples(const Samples& samples, const Target& target)
+  Mesh_point_samples(const Samples& samples, const Target& target)
     : m_samples(samples), m_target(target)
   {}
 
   // returns the numbers of the samples, or `Samples::none`
   std::vector<size_type> operator()() const
   {
-    return completed(std::vector<size_type>(m_target.number_of_mesh_vertices(), Samples::none));
+    return completed(std::vector<size_type>(m_target.number_of_mesh_points(), Samples::none));
   }
 
   // does the same, when `nearest` are those of the previous samples: one that still exists can only
@@ -53,12 +54,12 @@ public:
       if(!is_new(p))
         patches[m_samples.previous_patch(p)] = p;
     std::vector<size_type> result(nearest.size(), Samples::none);
-    for(size_type v = 0; v < nearest.size(); ++v)
-      if(nearest[v] != Samples::none)
+    for(size_type i = 0; i < nearest.size(); ++i)
+      if(nearest[i] != Samples::none)
       {
-        const size_type old = previous.error_place(nearest[v]).patch;
+        const size_type old = previous.error_place(nearest[i]).patch;
         if(patches[old] != Samples::none)
-          result[v] = nearest[v] - previous.first_error_sample(old)
+          result[i] = nearest[i] - previous.first_error_sample(old)
                       + m_samples.first_error_sample(patches[old]);
       }
     return completed(std::move(result));
@@ -80,9 +81,9 @@ private:
       for_each_face(p, [&](size_type face, size_type i)
       {
         if(is_new(p) || is_open[face])
-          for(size_type v : m_target.mesh_face(face))
-            if(is_new(p) || known[v] == Samples::none)
-              choose_nearer(v, i, result, distances);
+          for(size_type point : m_target.points_of_mesh_face(face))
+            if(point != Samples::none && (is_new(p) || known[point] == Samples::none))
+              choose_nearer(point, i, result, distances);
       });
     for_each_index(result.size(), [&](size_type v)
     {
@@ -92,24 +93,25 @@ private:
     return result;
   }
 
-  // returns which faces of the mesh have a vertex without known sample
+  // returns which faces of the mesh have a point without known sample
   std::vector<char> faces_without_sample(const std::vector<size_type>& known) const
   {
     std::vector<char> result(m_target.number_of_mesh_faces(), false);
     for(size_type f = 0; f < result.size(); ++f)
-      for(size_type v : m_target.mesh_face(f))
-        result[f] = result[f] || known[v] == Samples::none;
+      for(size_type point : m_target.points_of_mesh_face(f))
+        if(point != Samples::none && known[point] == Samples::none)
+          result[f] = true;
     return result;
   }
 
-  void choose_nearer(size_type vertex, size_type sample, std::vector<size_type>& samples,
+  void choose_nearer(size_type point, size_type sample, std::vector<size_type>& samples,
                      std::vector<double>& distances) const
   {
-    const double d = squared_distance(vertex, sample);
-    if(d >= distances[vertex])
+    const double d = squared_distance(point, sample);
+    if(d >= distances[point])
       return;
-    samples[vertex] = sample;
-    distances[vertex] = d;
+    samples[point] = sample;
+    distances[point] = d;
   }
 
   // calls `visit(face, i)` for the samples of a patch and the faces of the mesh there
@@ -122,9 +124,9 @@ private:
         visit(m_samples.mesh_face(i), i);
   }
 
-  double squared_distance(size_type vertex, size_type sample) const
+  double squared_distance(size_type point, size_type sample) const
   {
-    return (to_eigen(m_target.mesh_vertex(vertex)) - m_samples.target(sample)).squaredNorm();
+    return (to_eigen(m_target.mesh_point(point)) - m_samples.target(sample)).squaredNorm();
   }
 
   bool is_on_mesh(size_type sample) const
@@ -141,4 +143,4 @@ private:
 } // namespace Surface_mesh_spline_conversion
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_FITTING_VERTEX_SAMPLES_H
+#endif // CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_FITTING_MESH_POINT_SAMPLES_H
