@@ -8,6 +8,7 @@
 #include <CGAL/Surface_mesh_spline_conversion/Boundary_curve_network_3.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/Mesh_distance.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/patches/Mesh_projection.h>
+#include <CGAL/boost/graph/Euler_operations.h>
 
 #include <Eigen/Core>
 
@@ -129,6 +130,31 @@ void test_near_start(const std::vector<K::Triangle_3>& triangles, const Projecti
   assert(200 * others < samples_of_face * triangles.size());
 }
 
+// each edge inside the mesh has one number, that of both its faces, and its middle
+void test_edges(const Mesh& mesh)
+{
+  const Projection projection(mesh, mesh.points());
+  std::vector<int> faces_of_edge(projection.number_of_edges(), 0);
+  std::size_t face = 0;
+  for(auto f : mesh.faces())
+  {
+    std::size_t i = 0;
+    for(auto h : halfedges_around_face(mesh.halfedge(f), mesh))
+    {
+      const std::size_t edge = projection.edges(face)[i++];
+      assert((edge == Projection::none) == mesh.is_border(mesh.edge(h)));
+      if(edge == Projection::none)
+        continue;
+      ++faces_of_edge[edge];
+      const Point_3 middle = CGAL::midpoint(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)));
+      assert(CGAL::squared_distance(projection.middle(edge), middle) < 1e-28);
+    }
+    ++face;
+  }
+  for(int n : faces_of_edge)
+    assert(n == 2);
+}
+
 void test(const Mesh& mesh, double reach, CGAL::Random& random)
 {
   const std::vector<K::Triangle_3> all = triangles(mesh);
@@ -157,5 +183,10 @@ int main()
   CGAL::Random random(0);
   test(tetrahedron_with_flat_face(), 3, random);
   test(torus(), 3, random);
+  test_edges(tetrahedron_with_flat_face());
+  Mesh open_torus = torus();
+  CGAL::Euler::remove_face(open_torus.halfedge(Mesh::Face_index(0)), open_torus);
+  open_torus.collect_garbage();
+  test_edges(open_torus);
   return EXIT_SUCCESS;
 }

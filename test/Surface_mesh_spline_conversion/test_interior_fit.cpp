@@ -339,6 +339,109 @@ void test_reweighted_fit()
                   - errors.largest().error) < 1e-12 * d);
 }
 
+// a face of a mesh whose vertices lie on the shape, and the middle of one of its edges above it
+struct Target_with_far_edge : Smooth_target
+{
+  static constexpr double height = 0.05;
+
+  bool is_on_mesh(std::size_t, double, double) const { return true; }
+  std::size_t number_of_mesh_faces() const { return 1; }
+  std::size_t number_of_mesh_points() const { return 4; }
+
+  std::array<std::size_t, 6> points_of_mesh_face(std::size_t) const
+  {
+    constexpr std::size_t none = static_cast<std::size_t>(-1);
+    return {{0, 1, 2, none, 3, none}};
+  }
+
+  Point mesh_point(std::size_t i) const
+  {
+    const double a[] = {0.3, 0.7, 0.5, 0.43}, b[] = {0.3, 0.4, 0.7, 0.57};
+    const Vector du = shape.derivative(a[i], b[i], 1, 0), dv = shape.derivative(a[i], b[i], 0, 1);
+    const Vector normal = CGAL::cross_product(du, dv);
+    return shape.point(a[i], b[i])
+           + (i == 3 ? height / std::sqrt(normal.squared_length()) : 0) * normal;
+  }
+};
+
+// The distance of the middle of an edge of the mesh from the surface counts.
+void test_error_at_edge()
+{
+  typedef SC::internal::Interior_samples<T_NURCC_surface, Target_with_far_edge> Samples;
+  typedef SC::internal::Interior_error<T_NURCC_surface, Target_with_far_edge> Errors;
+  const Surface shape = height_field(0.3);
+  const Input input(shape, 6, 6, 1);
+  const Target_with_far_edge target{{input, shape}};
+  T_NURCC_surface surface(input.layout());
+  SC::Conversion_report report;
+  const double d = target.diameter();
+  const auto np = params::interior_tolerance(d).boundary_tolerance(1e-4 * d);
+  assert(SC::fit_boundary(surface, target, report, np) == SC::Error_code::OK);
+  assert(SC::fit_interior(surface, target, report, np) == SC::Error_code::OK);
+  const Samples samples(surface, target, nullptr);
+  const SC::internal::Largest_error largest
+    = Errors(surface, target, samples, false, nullptr).largest();
+  assert(std::abs(largest.error - target.height) < 0.01 * target.height);
+  const Point place(largest.place[0], largest.place[1], largest.place[2]);
+  assert(CGAL::squared_distance(place, target.mesh_point(3)) < 1e-20);
+}
+
+// largest distance at equal parameters on a quad of a surface that has not been refined
+double distance_on_quad(const T_NURCC_surface& surface, const Smooth_target& target,
+                        std::size_t quad)
+{
+  double result = 0;
+  for(int k = 0; k < 81; ++k)
+  {
+    const double u = k % 9 / 8., v = k / 9 / 8.;
+    const Vector d = surface.position(surface.patch_at(quad, u, v), u, v) - target.point(quad, u, v);
+    result = (std::max)(result, std::sqrt(d.squared_length()));
+  }
+  return result;
+}
+
+// Larger weights of a patch nearly always lower its largest distance, although they act on the squares
+// of all of them, and the tolerance is still met everywhere. There are no further patches.
+void test_move_closer()
+{
+  typedef SC::internal::Interior_fitter<T_NURCC_surface, Smooth_target, SC::Default_visitor> Fitter;
+  const int n = 8;
+  const Surface shape = hill();
+  const Input input(shape, n, n, 1);
+  const Smooth_target target{input, shape};
+  const double d = target.diameter();
+  double tolerance = d;
+  int closer = 0;
+  for(const double factor : {1., 1.001}) // the first fit tells the largest error
+  {
+    T_NURCC_surface surface(input.layout());
+    SC::Conversion_report report;
+    SC::Default_visitor visitor;
+    const auto np = params::interior_tolerance(factor * tolerance).boundary_tolerance(d);
+    assert(SC::fit_boundary(surface, target, report, np) == SC::Error_code::OK);
+    Fitter fitter(surface, target, SC::internal::interior_fit_options(target, np),
+                  SC::internal::boundary_fit_options(target, np),
+                  SC::internal::Boundary_normals<Smooth_target>(), visitor, report);
+    assert(fitter() == SC::Error_code::OK);
+    tolerance = report.interior.max_deviation;
+    for(std::size_t quad = 0; factor > 1 && quad < n * n; ++quad)
+    {
+      const double before = distance_on_quad(surface, target, quad);
+      const std::size_t fixed = surface.boundary_curve(0).control_points[1];
+      const Point boundary = surface.control_point(fixed);
+      const Point place = surface.position(surface.patch_at(quad, 0.5, 0.5), 0.5, 0.5);
+      const bool is_closer = fitter.move_closer({place});
+      const double after = distance_on_quad(surface, target, quad);
+      assert(surface.number_of_patches() == n * n && surface.control_point(fixed) == boundary);
+      assert(is_closer || after == before);
+      closer += after < before ? 1 : 0;
+      for(std::size_t q = 0; q < n * n; ++q)
+        assert(distance_on_quad(surface, target, q) < factor * tolerance);
+    }
+  }
+  assert(10 * closer > 8 * n * n);
+}
+
 struct Reference_surface : Tensor_product_surface
 {
   explicit Reference_surface(const Layout& layout) : Tensor_product_surface(layout, 6, 6, false) {}
@@ -471,6 +574,8 @@ int main()
   test_coarsening();
   test_local_fit();
   test_reweighted_fit();
+  test_error_at_edge();
+  test_move_closer();
   test_reprojection();
   test_corner();
   test_step();

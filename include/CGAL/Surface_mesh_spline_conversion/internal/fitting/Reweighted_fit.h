@@ -73,9 +73,10 @@ public:
   // it still does. Returns `false` if that is not possible, the fit is the same then.
   bool move_closer(const std::vector<size_type>& patches, Errors& errors, double accuracy)
   {
+    constexpr double first_excess = 1.5; // instead of the errors, which meet the tolerance
     std::vector<Patch_error> violations;
     for(size_type p : patches)
-      violations.push_back(Patch_error{p, m_tolerance});
+      violations.push_back(Patch_error{p, first_excess * m_tolerance});
     const std::vector<Point_3> points = control_points();
     for(int round = 0; round < number_of_rounds && fit(violations, accuracy); ++round)
     {
@@ -91,7 +92,7 @@ public:
   }
 
 private:
-  static constexpr int number_of_rounds = 4;
+  static constexpr int number_of_rounds = 12;
 
   // Patches whose error exceeds the tolerance by this factor have to be refined anyway.
   static constexpr double largest_excess = 2;
