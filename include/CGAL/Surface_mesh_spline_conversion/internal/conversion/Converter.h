@@ -279,13 +279,17 @@ private:
       boundary_normals(target, m_normals), m_visitor, part);
     Meter meter(component.mesh, get(vertex_point, component.mesh), network, m_band,
                 m_options.interior_tolerance, largest_deviation(part));
-    const Error_code interior = fit_interior(fitter, surface, component, network, meter, attempt);
+    Error_code interior = fit_interior(fitter, surface, component, network, meter, attempt);
+    if(is_surface(interior) && m_options.do_certify)
+    {
+      const Error_code certified = run("certify_interior", part, [&]()
+        { return certify(surface, component, network, part); });
+      interior = is_surface(certified) ? interior : certified;
+    }
     if(!is_surface(interior))
       return interior;
     if(target.has_smooth_target())
       part.interior.target_deviation = fitter.largest_error();
-    if(m_options.do_certify)
-      run("certify_interior", part, [&]() { return certify(surface, component, network, part); });
     count(surface, part);
     warn_about_facets(m_options.interior_tolerance, part);
     attempt.surface = std::move(surface);
@@ -307,6 +311,8 @@ private:
       Deviation<Kernel> deviation;
       const Error_code measured = run("measure_deviation", part, [&]()
         { return measure(surface, network, meter, part, deviation); });
+      if(!is_surface(measured))
+        return measured;
       const std::vector<Point_3> rough
         = round < maximum_number_of_smoothings ? rough_places(deviation) : std::vector<Point_3>();
       if(code != Error_code::OK || round == maximum_number_of_improvements
@@ -363,6 +369,8 @@ private:
         return code;
       const Error_code measured = run("measure_deviation", part, [&]()
         { return measure(surface, network, meter, part, deviation); });
+      if(!is_surface(measured))
+        return measured;
       places = rough_places(deviation);
       places.insert(places.end(), deviation.interior_violations.begin(),
                     deviation.interior_violations.end());
