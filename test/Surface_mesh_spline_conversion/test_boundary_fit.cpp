@@ -476,12 +476,12 @@ void test_limits()
     = input.layout();
   SC::Conversion_report report;
   double last_bound = 1;
-  for(std::size_t limit : {0, 100, 300, 1000})
+  for(std::size_t limit : {0, 60, 150, 300})
   {
     CGAL::T_NURCC_surface_3<synthetic::Kernel> surface(layout);
     const std::size_t size = surface.number_of_patches();
     assert(SC::fit_boundary(surface, input.target(), report,
-                            CGAL::parameters::boundary_tolerance(1e-13)
+                            CGAL::parameters::boundary_tolerance(1e-11)
                               .maximum_number_of_patches(limit))
            == SC::Error_code::TOLERANCE_NOT_REACHED);
     assert(surface.number_of_patches() <= (std::max)(limit, size) && !report.message.empty());

@@ -68,7 +68,7 @@ them adds the deviations of both.
     \cgalParamDefault{`Error_metric::REPROJECTED`}
   \cgalParamNEnd
   \cgalParamNBegin{maximum_number_of_patches}
-    \cgalParamDescription{the surface is not refined any further if it has that many patches}
+    \cgalParamDescription{the surface is not refined to more patches than that}
     \cgalParamType{`std::size_t`}
     \cgalParamDefault{`200000`}
   \cgalParamNEnd

@@ -266,19 +266,24 @@ private:
   // the limit of the patches allows; returns `false` if nothing can be refined
   bool refine()
   {
+    // the outermost row takes many knots before patches have to be split
+    constexpr size_type many_knots_per_patch = 32, many_patches = 6250;
     const size_type most = m_options.maximum_number_of_patches;
+    const size_type room = most - (std::min)(most, m_surface.number_of_patches());
     const std::vector<Measured_chain> chains = m_chains;
-    for(size_type knots = most - (std::min)(most, m_surface.number_of_patches()); knots > 0;
-        knots /= 2)
+    size_type knots = many_knots_per_patch * (std::min)(room, many_patches);
+    while(knots > 0)
     {
       plan(knots);
-      if(has_room(number_of_knots(m_chains) - number_of_knots(chains)))
+      const size_type new_knots = number_of_knots(m_chains) - number_of_knots(chains);
+      if(has_room(new_knots))
       {
         const size_type size = m_surface.number_of_control_points();
         m_surface.refine_boundary_to(planned_knots());
         return m_surface.number_of_control_points() > size;
       }
       m_chains = chains;
+      knots = (std::min)(knots, new_knots) / 2;
     }
     return false;
   }
@@ -304,7 +309,8 @@ private:
     return result;
   }
 
-  // plans the knots of the chains that have not reached the goal, with at most so many new ones each
+  // plans the knots of the chains that have not reached the goal, with at most so many new ones for
+  // each
   void plan(size_type most_knots)
   {
     for_each_index(m_curves.size(), [&](size_type c)
