@@ -13,7 +13,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "check_step/tetrahedra.h"
+#include "check_step/gmsh.h"
 
 namespace SC = CGAL::Surface_mesh_spline_conversion;
 
@@ -103,8 +103,10 @@ int main(int argc, char* argv[])
     is_good = print_operations(shape, twin, options.size);
   if(options.do_mesh)
   {
-    const std::size_t n = mesh_with_gmsh(options.file, 600);
-    std::printf("tetrahedra of gmsh          %zu\n", n);
+    const bool is_solid = SC::measure_BRep(shape).solids > 0;
+    const std::size_t n = mesh_with_gmsh(
+      options.file, is_solid ? Gmsh_element::TETRAHEDRON : Gmsh_element::TRIANGLE, 600);
+    std::printf("%s of gmsh          %zu\n", is_solid ? "tetrahedra" : "triangles ", n);
     is_good = is_good && n > 0;
   }
   return is_good ? EXIT_SUCCESS : EXIT_FAILURE;

@@ -6,6 +6,8 @@
 #include <CGAL/Surface_mesh_spline_conversion/IO/VTU.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/extract_shell.h>
 
+#include <cmath>
+#include <limits>
 #include <set>
 #include <sstream>
 #include <string>
@@ -229,6 +231,13 @@ void test_components_and_header()
   assert(os.str().find("1970-01-01T00:00:00") != std::string::npos);
   for(long p : file.of_type("CARTESIAN_POINT"))
     assert(STEP_file::numbers(file.entities.at(p).arguments, 0).size() == 3);
+  for(double bad : {0., -1., std::nan(""), std::numeric_limits<double>::infinity()})
+  {
+    information.uncertainty = bad;
+    written = CGAL::IO::write_STEP(os, shell, information);
+    assert(!written);
+  }
+  information = SMSC::STEP_information();
   information.unit = "furlong";
   written = CGAL::IO::write_STEP(os, shell, information);
   assert(!written);

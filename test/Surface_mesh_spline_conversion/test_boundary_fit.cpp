@@ -4,12 +4,16 @@
 
 #include <CGAL/Surface_mesh_spline_conversion/fit_boundary.h>
 
+#include <CGAL/T_NURCC_surface_3.h>
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <functional>
+#include <limits>
+#include <string>
 #include <vector>
 
 namespace internal = CGAL::Surface_mesh_spline_conversion::internal;
@@ -268,6 +272,40 @@ void test_number_of_segments()
   assert(dense_error(knots, fit, circle) < tolerance);
 }
 
+// a circle whose points are known up to a pseudo-random error only
+struct Noisy_circle : Circle
+{
+  double noise;
+  Noisy_circle(double sides, double noise) : Circle{sides}, noise(noise) {}
+
+  Eigen::Vector3d curve_point(double s) const
+  {
+    return (1 + noise * std::sin(1e9 * s)) * Circle::curve_point(s);
+  }
+  internal::Curve_foot curve_foot(double s) const
+  {
+    internal::Curve_foot foot = Circle::curve_foot(s);
+    foot.point = curve_point(s);
+    return foot;
+  }
+  internal::Curve_foot foot(double x) const { return curve_foot(arc_length(x)); }
+  Eigen::Vector3d point(double x) const { return curve_point(arc_length(x)); }
+};
+
+// Spans are not bisected below the noise of a curve, where this is of no use.
+void test_noise()
+{
+  const double noise = 1e-9;
+  Noisy_circle circle(16, noise);
+  for(auto metric : {SC::Error_metric::PARAMETRIC, SC::Error_metric::REPROJECTED})
+  {
+    const auto [knots, fit] = internal::plan_bisection(
+      {periodic_knots(16), internal::fit_chain(periodic_knots(16), circle)}, circle, metric,
+      noise / 100, 1e-4, 100000);
+    assert(fit.worst().bound < 10 * noise && knots.knots.size() < 2000);
+  }
+}
+
 void test_balance()
 {
   for(const Chain_knots& knots : {periodic_knots(8), open_knots(8)})
@@ -429,6 +467,39 @@ void test_seams()
   assert(largest_distance_of_seams(input, Target_with_seams(input.target()), m, n) < 1e-3);
 }
 
+// However small the tolerance is, the fit ends, and keeps the limit of the patches.
+void test_limits()
+{
+  const int m = 8, n = 5;
+  synthetic::Input input(synthetic::height_field(0.3), m, n, 4, synthetic::jittered(m, n, 0.5));
+  const CGAL::Surface_mesh_spline_conversion::Quad_layout<synthetic::Kernel>& layout
+    = input.layout();
+  SC::Conversion_report report;
+  double last_bound = 1;
+  for(std::size_t limit : {0, 60, 150, 300})
+  {
+    CGAL::T_NURCC_surface_3<synthetic::Kernel> surface(layout);
+    const std::size_t size = surface.number_of_patches();
+    assert(SC::fit_boundary(surface, input.target(), report,
+                            CGAL::parameters::boundary_tolerance(1e-11)
+                              .maximum_number_of_patches(limit))
+           == SC::Error_code::TOLERANCE_NOT_REACHED);
+    assert(surface.number_of_patches() <= (std::max)(limit, size) && !report.message.empty());
+    // and each larger one is of use
+    assert(report.boundary.certified_bound < 0.3 * last_bound);
+    last_bound = report.boundary.certified_bound;
+  }
+  CGAL::T_NURCC_surface_3<synthetic::Kernel> surface(layout);
+  for(double bad : {0., -1., 1e-300, 1e-17, std::numeric_limits<double>::infinity(),
+                    std::numeric_limits<double>::quiet_NaN()})
+  {
+    assert(SC::fit_boundary(surface, input.target(), report,
+                            CGAL::parameters::boundary_tolerance(bad))
+           == SC::Error_code::INVALID_PARAMETER);
+    assert(report.message.find("boundary tolerance") != std::string::npos);
+  }
+}
+
 int main()
 {
   test_basis(open_knots(5));
@@ -441,6 +512,8 @@ int main()
   test_convergence(false);
   test_ends();
   test_number_of_segments();
+  test_noise();
+  test_limits();
   test_balance();
   test_evenness();
   test_joints(true);

@@ -181,6 +181,47 @@ void test_inexact_vertices()
          == SC::Error_code::INTERRUPTED);
 }
 
+// asks for an end at one call only
+struct Hesitating_visitor : SC::Default_visitor
+{
+  int calls_left;
+  explicit Hesitating_visitor(int calls) : calls_left(calls) {}
+  bool go_further() { return calls_left-- != 0; }
+};
+
+// An interruption is final, in whichever stage and on whichever way to a better surface it comes.
+template <typename NamedParameters>
+void check_interruption(const CGAL::Surface_mesh<K::Point_3>& mesh, const NamedParameters& np)
+{
+  std::vector<Surface> surfaces;
+  SC::Conversion_report report;
+  const int enough = 1000;
+  Hesitating_visitor counter(enough);
+  SC::convert_to_T_NURCC(mesh, surfaces, report, np.visitor(std::ref(counter)));
+  const int calls = enough - counter.calls_left;
+  assert(surfaces.size() == 1 && calls > 5 && calls < enough);
+  for(int i = 0; i < calls; ++i)
+  {
+    Hesitating_visitor visitor(i);
+    assert(SC::convert_to_T_NURCC(mesh, surfaces, report, np.visitor(std::ref(visitor)))
+           == SC::Error_code::INTERRUPTED);
+    assert(surfaces.empty() && visitor.calls_left == -1 && !report.message.empty());
+  }
+}
+
+void test_interruption()
+{
+  namespace params = CGAL::parameters;
+  CGAL::Surface_mesh<K::Point_3> sphere;
+  CGAL::make_icosahedron(sphere, K::Point_3(0, 0, 0), 1.);
+  CGAL::Subdivision_method_3::Loop_subdivision(sphere, params::number_of_iterations(2));
+  const auto np = params::interior_tolerance(0.02).quad_size_map(0.5);
+  check_interruption(sphere, np.do_coarsen_patches(true).do_fair_interior(true)
+                               .do_certify_interior(true));
+  check_interruption(sphere, params::interior_tolerance(1e-3).quad_size_map(0.5)
+                               .maximum_number_of_patches(60).do_certify_interior(true));
+}
+
 // a sphere as a polyhedron, with another kernel and without curves
 void test_closed_polyhedron()
 {
@@ -232,6 +273,7 @@ int main()
 {
   test_case();
   test_inexact_vertices();
+  test_interruption();
   test_closed_polyhedron();
   return EXIT_SUCCESS;
 }

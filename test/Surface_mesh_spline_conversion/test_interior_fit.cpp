@@ -11,6 +11,7 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -540,7 +541,7 @@ void test_limits()
   const Input input(height_field(0.3), 5, 4, 3);
   T_NURCC_surface surface(input.layout());
   SC::Conversion_report report;
-  for(double bad : {0., -1., std::nan("")})
+  for(double bad : {0., -1., 1e-300, std::numeric_limits<double>::infinity(), std::nan("")})
   {
     assert(SC::fit_boundary(surface, input.target(), report, params::boundary_tolerance(bad))
            == SC::Error_code::INVALID_PARAMETER);

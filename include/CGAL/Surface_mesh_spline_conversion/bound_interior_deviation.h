@@ -18,6 +18,7 @@
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/bezier_pieces.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/named_parameters.h>
 
+#include <CGAL/assertions.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/number_utils.h>
 
@@ -70,7 +71,7 @@ curves.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\pre `tm` has a face, and the network has no error
+\pre `tm` has a face, the network has no error, and the tolerance is positive
 */
 template <typename K, typename TriangleMesh, typename BoundaryCurveNetwork,
           typename NamedParameters = parameters::Default_named_parameters>
@@ -87,6 +88,7 @@ typename K::FT bound_interior_deviation(const NURBS_shell_3<K>& shell, const Tri
   const double tolerance
     = CGAL::to_double(choose_parameter(get_parameter(np, internal_np::interior_tolerance),
                                        DEFAULT_RELATIVE_TOLERANCE * network.diameter()));
+  CGAL_precondition(tolerance > 0);
   const internal::Mesh_distance mesh(tm, vpm, network);
   return internal::Interior_bound(internal::bezier_pieces(shell), mesh,
                                   internal::boundary_band_width(np, tm, vpm), tolerance).value();

@@ -64,12 +64,13 @@ mesh to T-NURCC surface conversion*, Computers & Graphics 82 (2019).
 \cgalNamedParamsBegin
   \cgalParamNBegin{boundary_tolerance}
     \cgalParamDescription{\f$ \xi \f$, the largest distance between the boundary of the surfaces and
-                           the curves}
+                           the curves; at least `1e-14` *D*}
     \cgalParamType{a number type convertible to `double`}
     \cgalParamDefault{1e-6 *D*}
   \cgalParamNEnd
   \cgalParamNBegin{interior_tolerance}
-    \cgalParamDescription{\f$ \delta \f$, the largest distance between the surfaces and the mesh}
+    \cgalParamDescription{\f$ \delta \f$, the largest distance between the surfaces and the mesh; at
+                           least `1e-14` *D*}
     \cgalParamType{a number type convertible to `double`}
     \cgalParamDefault{1e-3 *D*}
   \cgalParamNEnd

@@ -18,6 +18,9 @@
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/fit_parameters.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/named_parameters.h>
 
+#include <CGAL/number_utils.h>
+
+#include <string>
 #include <type_traits>
 
 namespace CGAL {
@@ -53,7 +56,8 @@ them adds the deviations of both.
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{boundary_tolerance}
-    \cgalParamDescription{the largest distance between the boundary and the curves, in model units}
+    \cgalParamDescription{the largest distance between the boundary and the curves, in model units;
+                           at least `1e-14` times the diameter of the mesh}
     \cgalParamType{a number type convertible to `double`}
     \cgalParamDefault{`1e-6` times the diameter of the mesh}
   \cgalParamNEnd
@@ -64,7 +68,7 @@ them adds the deviations of both.
     \cgalParamDefault{`Error_metric::REPROJECTED`}
   \cgalParamNEnd
   \cgalParamNBegin{maximum_number_of_patches}
-    \cgalParamDescription{the surface is not refined any further if it has that many patches}
+    \cgalParamDescription{the surface is not refined to more patches than that}
     \cgalParamType{`std::size_t`}
     \cgalParamDefault{`200000`}
   \cgalParamNEnd
@@ -92,9 +96,11 @@ Error_code fit_boundary(Surface& surface, const Target& target, Conversion_repor
   Visitor_reference visitor = parameters::choose_parameter(
     parameters::get_parameter_reference(np, internal_np::visitor), default_visitor);
   const internal::Boundary_fit_options options = internal::boundary_fit_options(target, np);
-  if(!(options.tolerance > 0))
+  const std::string defect = internal::tolerance_defect("boundary", options.tolerance,
+                                                        CGAL::to_double(target.diameter()));
+  if(!defect.empty())
   {
-    report.message = "the boundary tolerance is not a positive number";
+    report.message = defect;
     return Error_code::INVALID_PARAMETER;
   }
   return internal::Boundary_fitter<Surface, Target, Visitor>(surface, target, options, visitor,

@@ -19,6 +19,9 @@
 #include <CGAL/Surface_mesh_spline_conversion/internal/fitting/fit_parameters.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/named_parameters.h>
 
+#include <CGAL/number_utils.h>
+
+#include <string>
 #include <type_traits>
 
 namespace CGAL {
@@ -48,12 +51,14 @@ distance is measured at the nodes of a 9x9 grid per patch, after the last fit.
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{interior_tolerance}
-    \cgalParamDescription{the largest distance between surface and target, in model units}
+    \cgalParamDescription{the largest distance between surface and target, in model units; at
+                           least `1e-14` times the diameter of the mesh}
     \cgalParamType{a number type convertible to `double`}
     \cgalParamDefault{`1e-3` times the diameter of the mesh}
   \cgalParamNEnd
   \cgalParamNBegin{boundary_tolerance}
-    \cgalParamDescription{the largest distance between the boundary and the curves, in model units}
+    \cgalParamDescription{the largest distance between the boundary and the curves, in model units;
+                           at least `1e-14` times the diameter of the mesh}
     \cgalParamType{a number type convertible to `double`}
     \cgalParamDefault{`1e-6` times the diameter of the mesh}
   \cgalParamNEnd
@@ -110,9 +115,13 @@ Error_code fit_interior(Surface& surface, const Target& target, Conversion_repor
   const internal::Interior_fit_options options = internal::interior_fit_options(target, np);
   const internal::Boundary_fit_options boundary_options
     = internal::boundary_fit_options(target, np);
-  if(!(options.tolerance > 0) || !(boundary_options.tolerance > 0))
+  const double diameter = CGAL::to_double(target.diameter());
+  const std::string defect
+    = internal::tolerance_defect("interior", options.tolerance, diameter)
+      + internal::tolerance_defect("boundary", boundary_options.tolerance, diameter);
+  if(!defect.empty())
   {
-    report.message = "a tolerance is not a positive number";
+    report.message = defect;
     return Error_code::INVALID_PARAMETER;
   }
   const internal::Boundary_normals<Target> normals = internal::boundary_normals(

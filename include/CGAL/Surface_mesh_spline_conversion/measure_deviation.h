@@ -21,6 +21,7 @@
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/normal_angles.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/named_parameters.h>
 
+#include <CGAL/assertions.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/number_utils.h>
 
@@ -205,7 +206,7 @@ nothing. All figures are maxima over samples, hence lower bounds.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\pre `tm` has a face, and the network has no error
+\pre `tm` has a face, the network has no error, and the tolerance is positive
 */
 template <typename K, typename TriangleMesh, typename BoundaryCurveNetwork,
           typename NamedParameters = parameters::Default_named_parameters>
@@ -222,6 +223,7 @@ void measure_deviation(const NURBS_shell_3<K>& shell, const TriangleMesh& tm,
   const double tolerance
     = CGAL::to_double(choose_parameter(get_parameter(np, internal_np::interior_tolerance),
                                        DEFAULT_RELATIVE_TOLERANCE * network.diameter()));
+  CGAL_precondition(tolerance > 0);
   typedef internal::Deviation_meter<TriangleMesh, decltype(vpm), BoundaryCurveNetwork> Meter;
   deviation = Meter(tm, vpm, network, internal::boundary_band_width(np, tm, vpm), tolerance,
                     tolerance)(shell, internal::bezier_pieces(shell));

@@ -45,7 +45,7 @@ struct STEP_information
   std::string organization = "";                     ///< name of the organization
   std::string time_stamp = "1970-01-01T00:00:00";    ///< ISO 8601
   std::string unit = "mm";                           ///< `"mm"`, `"cm"`, `"m"`, `"um"` or `"in"`
-  double uncertainty = 1e-7;  ///< distance below which points are equal, in model units
+  double uncertainty = 1e-7;  ///< distance below which points are equal, in model units; positive
 };
 
 namespace internal {
@@ -452,7 +452,8 @@ needed to read back the same numbers.
 \param os the output stream
 \param shell the shell
 \param information header, unit and uncertainty
-\return `true` if the unit is known and the stream is still good
+\return `true` if the unit is known, the uncertainty is a positive number, and the stream is still
+        good
 */
 template <typename K>
 bool write_STEP(std::ostream& os, const Surface_mesh_spline_conversion::NURBS_shell_3<K>& shell,
@@ -460,7 +461,8 @@ bool write_STEP(std::ostream& os, const Surface_mesh_spline_conversion::NURBS_sh
                   = Surface_mesh_spline_conversion::STEP_information())
 {
   typedef Surface_mesh_spline_conversion::internal::STEP_writer<K> STEP_writer;
-  if(!STEP_writer::is_unit(information.unit))
+  if(!STEP_writer::is_unit(information.unit) || !(information.uncertainty > 0)
+     || !std::isfinite(information.uncertainty))
     return false;
   STEP_writer(os, shell, information)();
   os.flush();
@@ -472,7 +474,7 @@ bool write_STEP(std::ostream& os, const Surface_mesh_spline_conversion::NURBS_sh
 
 writes a shell to the file `filename`, as above.
 
-\return `true` if the unit is known and the file was written
+\return `true` if the unit is known, the uncertainty is a positive number, and the file was written
 */
 template <typename K>
 bool write_STEP(const std::string& filename,

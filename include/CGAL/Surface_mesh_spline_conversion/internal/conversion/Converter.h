@@ -283,13 +283,17 @@ private:
       boundary_normals(target, m_normals), m_visitor, part);
     Meter meter(component.mesh, get(vertex_point, component.mesh), network, m_band,
                 m_options.interior_tolerance, largest_deviation(part));
-    const Error_code interior = fit_interior(fitter, surface, component, network, meter, attempt);
+    Error_code interior = fit_interior(fitter, surface, component, network, meter, attempt);
+    if(is_surface(interior) && m_options.do_certify)
+    {
+      const Error_code certified = run("certify_interior", part, [&]()
+        { return certify(surface, component, network, part); });
+      interior = is_surface(certified) ? interior : certified;
+    }
     if(!is_surface(interior))
       return interior;
     if(target.has_smooth_target())
       part.interior.target_deviation = fitter.largest_error();
-    if(m_options.do_certify)
-      run("certify_interior", part, [&]() { return certify(surface, component, network, part); });
     count(surface, part);
     warn_about_facets(m_options.interior_tolerance, part);
     attempt.surface = std::move(surface);
@@ -312,6 +316,8 @@ private:
       Deviation<Kernel> deviation;
       const Error_code measured = run("measure_deviation", part, [&]()
         { return measure(surface, network, meter, part, deviation); });
+      if(!is_surface(measured))
+        return measured;
       const bool has_folds = has_avoidable_folds(deviation, component, network);
       const std::vector<Point_3>& far = deviation.interior_violations;
       const std::vector<Point_3> rough = refinements < maximum_number_of_smoothings
@@ -319,15 +325,20 @@ private:
       if(code == Error_code::OK && rough.empty() && closer_fits < maximum_number_of_closer_fits
          && (has_folds || !far.empty()))
       {
-        const std::vector<Point_3>& places = far.empty() ? deviation.piece_folds : far;
         bool is_closer = false;
-        code = run("fit_interior", part, [&]()
-          { is_closer = fitter.move_closer(places); return Error_code::OK; });
+        const Error_code refitted = run("fit_interior", part, [&]()
+        {
+          is_closer = fitter.move_closer(far.empty() ? deviation.piece_folds : far);
+          return Error_code::OK;
+        });
+        if(refitted != Error_code::OK)
+          return refitted;
         closer_fits = is_closer ? closer_fits + 1 : maximum_number_of_closer_fits;
         if(is_closer)
+        {
           part.message = message;
-        if(is_closer || code != Error_code::OK)
           continue;
+        }
       }
       if(code != Error_code::OK || refinements == maximum_number_of_improvements
          || (far.empty() && rough.empty()))
@@ -382,6 +393,8 @@ private:
         return code;
       const Error_code measured = run("measure_deviation", part, [&]()
         { return measure(surface, network, meter, part, deviation); });
+      if(!is_surface(measured))
+        return measured;
       places = rough_places(deviation);
       places.insert(places.end(), deviation.interior_violations.begin(),
                     deviation.interior_violations.end());

@@ -82,7 +82,7 @@ double corner_angle_or_default(const NamedParameters& np)
     parameters::get_parameter(np, internal_np::corner_angle), default_corner_angle));
 }
 
-// reads the tolerances; a tolerance that is not positive is an error of the report.
+// reads the tolerances; one that cannot be met by any surface is an error of the report.
 template <typename NamedParameters>
 Conversion_options conversion_options(const NamedParameters& np, double diameter,
                                       double corner_angle, Conversion_report& report)
@@ -110,9 +110,11 @@ Conversion_options conversion_options(const NamedParameters& np, double diameter
     = choose_parameter(get_parameter(np, internal_np::use_smooth_target), false);
   report.boundary_tolerance = options.boundary_tolerance;
   report.interior_tolerance = options.interior_tolerance;
-  for(const double tolerance : {options.boundary_tolerance, options.interior_tolerance})
-    if(!(tolerance > 0) || !std::isfinite(tolerance))
-      fail(Error_code::INVALID_PARAMETER, "a tolerance is not a positive number", report);
+  for(const std::string& defect
+      : {tolerance_defect("boundary", options.boundary_tolerance, diameter),
+         tolerance_defect("interior", options.interior_tolerance, diameter)})
+    if(!defect.empty())
+      fail(Error_code::INVALID_PARAMETER, defect, report);
   return options;
 }
 

@@ -262,25 +262,68 @@ private:
                                   Point_3(FT(polygon[i][0]), FT(polygon[i][1]), FT(polygon[i][2])));
   }
 
-  // refines the surface so that the fit of each chain is expected to reach the goal; returns
-  // `false` if nothing can be refined
+  // refines the surface so that the fit of each chain is expected to reach the goal, or as far as
+  // the limit of the patches allows; returns `false` if nothing can be refined
   bool refine()
+  {
+    // the outermost row takes many knots before patches have to be split
+    constexpr size_type many_knots_per_patch = 32, many_patches = 6250;
+    const size_type most = m_options.maximum_number_of_patches;
+    const size_type room = most - (std::min)(most, m_surface.number_of_patches());
+    const std::vector<Measured_chain> chains = m_chains;
+    size_type knots = many_knots_per_patch * (std::min)(room, many_patches);
+    while(knots > 0)
+    {
+      plan(knots);
+      const size_type new_knots = number_of_knots(m_chains) - number_of_knots(chains);
+      if(has_room(new_knots))
+      {
+        const size_type size = m_surface.number_of_control_points();
+        m_surface.refine_boundary_to(planned_knots());
+        return m_surface.number_of_control_points() > size;
+      }
+      m_chains = chains;
+      knots = (std::min)(knots, new_knots) / 2;
+    }
+    return false;
+  }
+
+  // Does the surface with the planned knots, of which so many are new, keep the limit of the
+  // patches? Only a trial tells what the closure adds, if there may be too many.
+  bool has_room(size_type new_knots) const
+  {
+    constexpr size_type many_patches_per_knot = 8;
+    const size_type most = m_options.maximum_number_of_patches;
+    if(m_surface.number_of_patches() + many_patches_per_knot * new_knots <= most)
+      return true;
+    Surface trial = m_surface;
+    trial.refine_boundary_to(planned_knots());
+    return trial.number_of_patches() <= most;
+  }
+
+  static size_type number_of_knots(const std::vector<Measured_chain>& chains)
+  {
+    size_type result = 0;
+    for(const Measured_chain& c : chains)
+      result += c.chain.knots.knots.size();
+    return result;
+  }
+
+  // plans the knots of the chains that have not reached the goal, with at most so many new ones for
+  // each
+  void plan(size_type most_knots)
   {
     for_each_index(m_curves.size(), [&](size_type c)
     {
       if(m_is_met[c])
         return;
+      const size_type size = m_chains[c].chain.knots.knots.size();
       Measured_chain plan;
       plan.chain = plan_bisection(std::move(m_chains[c].chain), m_curves[c],
                                   m_options.error_metric, m_options.goal, shortest_span,
-                                  m_options.maximum_number_of_patches);
+                                  size + most_knots);
       m_chains[c] = std::move(plan);
     });
-    if(m_surface.number_of_patches() >= m_options.maximum_number_of_patches)
-      return false;
-    const size_type size = m_surface.number_of_control_points();
-    m_surface.refine_boundary_to(planned_knots());
-    return m_surface.number_of_control_points() > size;
   }
 
   // returns the planned knots of the chains that have not reached the goal

@@ -12,11 +12,14 @@
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
 #include <CGAL/Surface_mesh_spline_conversion/Error_metric.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/fitting/format_number.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/named_parameters.h>
 
 #include <CGAL/number_utils.h>
 
+#include <cmath>
 #include <cstddef>
+#include <string>
 
 namespace CGAL {
 namespace Surface_mesh_spline_conversion {
@@ -49,6 +52,20 @@ constexpr double default_relative_interior_tolerance = 1e-3;
 constexpr double boundary_goal = 1. / 2;
 
 constexpr std::size_t default_maximum_number_of_patches = 200000;
+
+// Returns what is wrong with a tolerance, or an empty string. Below the smallest one there is nothing
+// but the rounding of the coordinates.
+inline std::string tolerance_defect(const std::string& name, double tolerance, double diameter)
+{
+  constexpr double smallest_relative_tolerance = 1e-14;
+  if(!(tolerance > 0) || !std::isfinite(tolerance))
+    return "the " + name + " tolerance is not a positive number";
+  const double smallest = smallest_relative_tolerance * diameter;
+  if(tolerance < smallest)
+    return "the " + name + " tolerance " + format_number(tolerance) + " is below "
+           + format_number(smallest) + ", about the rounding errors of the coordinates";
+  return std::string();
+}
 
 template <typename NamedParameters>
 std::size_t maximum_number_of_patches(const NamedParameters& np)

@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -236,30 +237,59 @@ struct Fitted_chain
   Chain_fit fit;
 };
 
+// Is bisection of no use, as the error is hardly less than that of `earlier`, which has far fewer
+// spans? That of a curve falls, but not that of noise or of rounding.
+inline bool is_noise(const Fitted_chain& chain, const Fitted_chain& earlier)
+{
+  constexpr std::size_t many = 1024, growth = 16;
+  constexpr double least_share = 0.9;
+  const std::size_t spans = chain.fit.errors.size();
+  return spans >= many && spans >= growth * earlier.fit.errors.size()
+         && chain.fit.worst().bound >= least_share * earlier.fit.worst().bound;
+}
+
+// Returns the levels of bisection of the spans whose error is not below the tolerance. Those with a
+// much smaller error than the worst one wait: it is often the one beside them that disturbs them.
+inline std::vector<int> planned_levels(const Chain_fit& fit, Error_metric metric, double tolerance)
+{
+  constexpr double share_of_worst = 1. / 16;
+  const double threshold = (std::max)(tolerance, share_of_worst * fit.worst().bound);
+  std::vector<int> levels;
+  for(const Span_error& error : fit.errors)
+    levels.push_back(error.bound < threshold
+                     ? 0 : number_of_bisections(error.bound, tolerance, metric));
+  return levels;
+}
+
 // Returns knots on which the bound of the error is below the tolerance, with the fit there, by
-// bisection of the spans where it is not; gives up at `maximum_number_of_spans`, where spans would
-// become shorter than `shortest_span`, or where there is no fit.
+// bisection of the spans where it is not; gives up at `maximum_number_of_knots`, where spans would
+// become shorter than `shortest_span`, where bisection does not help, or where there is no fit.
 template <typename CurveTarget>
 Fitted_chain plan_bisection(Fitted_chain chain, CurveTarget& target, Error_metric metric,
                             double tolerance, double shortest_span,
-                            std::size_t maximum_number_of_spans)
+                            std::size_t maximum_number_of_knots)
 {
-  // spans with a much smaller error than the worst one wait: it is often the one beside them that
-  // disturbs them
-  constexpr double share_of_worst = 1. / 16;
+  std::vector<Fitted_chain> coarser;
   while(chain.fit.is_solved)
   {
-    const double threshold = (std::max)(tolerance, share_of_worst * chain.fit.worst().bound);
-    std::vector<int> levels;
-    for(const Span_error& error : chain.fit.errors)
-      levels.push_back(error.bound < threshold
-                       ? 0 : number_of_bisections(error.bound, tolerance, metric));
+    std::vector<int> levels = planned_levels(chain.fit, metric, tolerance);
     Chain_knots finer = Chain_bisection(chain.knots, shortest_span)(levels);
+    if(finer.knots.size() > maximum_number_of_knots)
+    {
+      for(int& level : levels)
+        level = (std::min)(level, 1);
+      finer = Chain_bisection(chain.knots, shortest_span)(levels);
+    }
     if(finer.knots.size() == chain.knots.knots.size()
-       || finer.knots.size() > maximum_number_of_spans)
+       || finer.knots.size() > maximum_number_of_knots)
       break;
+    coarser.push_back(chain);
     chain.fit = fit_chain(finer, target, metric, tolerance);
     chain.knots = std::move(finer);
+    const auto as_good = std::find_if(coarser.begin(), coarser.end(), [&](const Fitted_chain& c)
+      { return is_noise(chain, c); });
+    if(as_good != coarser.end())
+      return *as_good;
   }
   return chain;
 }
