@@ -344,7 +344,7 @@ Mesh make_connected_sheets()
 // Where quads are much larger than tubes, the singularities around these are joined.
 void check_joined_singularities()
 {
-  const Result fine = compute(make_connected_sheets(), 0.2);
+  const Result fine = compute(make_connected_sheets(), 0.15);
   assert(fine.code == SC::Error_code::OK && fine.fallback == "none");
   assert(fine.irregular.count(5) == 16);
   const Result coarse = compute(make_connected_sheets(), 0.5);
@@ -352,6 +352,15 @@ void check_joined_singularities()
   assert(coarse.quads < 30); // 44 with singularities of five quads each
   assert(coarse.min_scaled_jacobian > 0);
   assert(*coarse.irregular.rbegin() <= 8);
+}
+
+// Chords collapse where quads are crowded, and the quads that are left have good shapes.
+void check_collapsed_chords()
+{
+  const Result result = compute(make_connected_sheets(), 0.2);
+  assert(result.code == SC::Error_code::OK);
+  assert(result.quads < 50); // 54 without collapses
+  assert(result.min_scaled_jacobian > 0.76); // what it is without collapses
 }
 
 // No quad winds around a bar, although smaller ones in their place do once.
@@ -478,6 +487,7 @@ int main()
   check_comb();
   check_crowded_layout();
   check_joined_singularities();
+  check_collapsed_chords();
   check_winding_quads();
   check_torus();
   check_large_corner();

@@ -21,6 +21,7 @@
 #include <CGAL/Surface_mesh_spline_conversion/internal/Work_budget.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/layout/Padded_triangulation.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/layout/inverted_quads.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/layout/lost_area.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/map/make_working_mesh.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/named_parameters.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/run_stage.h>
@@ -36,6 +37,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iomanip>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <set>
@@ -170,6 +172,8 @@ public:
       code = extract_layout();
     if(code == Error_code::OK)
       code = replace_inverted_quads();
+    if(code == Error_code::OK)
+      code = collapse_chords();
     return code == Error_code::OK && is_crowded ? join_singularities() : code;
   }
 
@@ -299,7 +303,6 @@ private:
   // some are inverted.
   Error_code join_singularities()
   {
-    const auto faces = mesh_face_corners();
     Error_code code = Error_code::OK;
     Field_attempt attempt = m_attempt;
     attempt.size_shares.clear();
@@ -309,18 +312,114 @@ private:
       if(code != Error_code::OK || m_spare.is_used_up())
         break;
       attempt.joining_distance = distance;
-      const std::size_t number = m_layout.number_of_quads();
       bool is_better = false;
-      code = try_instead(attempt, is_better, [&]()
-      {
-        if(std::size_t(number_of_quads()) >= number)
-          return Error_code::OK;
-        const Error_code extraction_code = extract_layout();
-        is_better = inverted_quads(m_layout, faces).empty();
-        return extraction_code;
-      });
+      code = try_instead(attempt, is_better,
+                         [&]() { return extract_layout_with_fewer_quads(is_better); });
     }
     return code;
+  }
+
+  // Singularities that are near each other, but not on common lines, need narrow quads between
+  // these. Chords of such quads collapse where the quads have less than half of the wanted size in
+  // the mean.
+  Error_code collapse_chords()
+  {
+    const double share_of_collapses = 0.25;
+    m_collapses = m_spare.share(share_of_collapses);
+    if(double(m_layout.number_of_quads()) <= sufficient_number_of_quads()
+       || m_collapses.is_used_up())
+      return Error_code::OK;
+    const Quad_layout<GeomTraits> layout = m_layout;
+    bool is_better = false;
+    Error_code code = find_quads(m_map, m_quads);
+    if(code == Error_code::OK)
+      code = extract_layout_with_fewer_quads(is_better);
+    if(!is_better)
+      m_layout = layout;
+    return code;
+  }
+
+  // of half of the wanted size; below fifty, fewer quads are worth less than better shapes, and so
+  // they are if more are wanted
+  double sufficient_number_of_quads() const
+  {
+    const double few_quads = 49;
+    return m_wanted_number_of_quads > few_quads
+             ? std::numeric_limits<double>::infinity()
+             : (std::max)(2 * m_wanted_number_of_quads, few_quads);
+  }
+
+  // The layout of the present map after collapses of chords, or else without them: better than the
+  // present one if it has fewer quads, none of which are inverted.
+  Error_code extract_layout_with_fewer_quads(bool& is_better)
+  {
+    const std::size_t number = m_layout.number_of_quads();
+    const Mapped_quads quads = m_quads;
+    Error_code code = extract_collapsed_layout(number, is_better);
+    if(is_better || code != Error_code::OK
+       || std::size_t(quads.quads().number_of_quads()) >= number)
+      return code;
+    m_quads = quads;
+    code = extract_layout();
+    is_better = inverted_quads(m_layout, mesh_face_corners()).empty();
+    return code;
+  }
+
+  // Tries all chords that are found, half of them, and so on, until the collapse of these leaves
+  // less than `number` quads, and has made none of them intolerable.
+  Error_code extract_collapsed_layout(std::size_t number, bool& is_better)
+  {
+    is_better = false;
+    const Mapped_quads quads = m_quads;
+    std::vector<Chord_sequence::Step> steps
+      = quads.find_chords(m_map, sufficient_number_of_quads(), m_collapses);
+    if(steps.empty())
+      return Error_code::OK;
+    const auto faces = mesh_face_corners();
+    const Quad_limits limits = quad_limits(faces);
+    for(; !steps.empty() && !m_collapses.is_used_up()
+          && std::size_t(steps.back().number_of_quads) < number; steps.resize(steps.size() / 2))
+    {
+      m_quads = quads;
+      if(!m_quads.collapse_chords(m_map, steps, m_collapses))
+        continue;
+      const Error_code code = extract_layout();
+      is_better = code == Error_code::OK && are_tolerable(faces, limits);
+      if(is_better)
+        describe_collapse(steps.size());
+      if(is_better || code != Error_code::OK)
+        return code;
+    }
+    return Error_code::OK;
+  }
+
+  // after collapses: tolerable values, or those of the present layout
+  struct Quad_limits
+  {
+    double shape;     // of the worst quad
+    double lost_area; // see `lost_area()`
+  };
+
+  Quad_limits quad_limits(const std::vector<std::array<Eigen::Vector3d, 3> >& faces) const
+  {
+    const double tolerable_loss = 0.05;
+    return Quad_limits{
+      (std::min)(least_shape_of_flat_quads(m_layout, faces), Vertex_smoothing::tolerable_shape),
+      (std::max)(lost_area(m_layout, faces), tolerable_loss)};
+  }
+
+  bool are_tolerable(const std::vector<std::array<Eigen::Vector3d, 3> >& faces,
+                     const Quad_limits& limits) const
+  {
+    const double shape = least_shape_of_flat_quads(m_layout, faces);
+    return shape > 0 && shape >= limits.shape && lost_area(m_layout, faces) <= limits.lost_area;
+  }
+
+  void describe_collapse(std::size_t number_of_chords)
+  {
+    std::string& text = m_report.map.fallback;
+    text = (text == "none" ? "" : text + "; ") + "chords collapsed: "
+           + std::to_string(number_of_chords);
   }
 
   std::vector<std::array<Eigen::Vector3d, 3> > mesh_face_corners() const
@@ -433,13 +532,20 @@ private:
     m_budget = Work_budget(
       base * (1 + (double(num_faces(m_tm)) + needed_number_of_quads()) / elements));
     m_spare = m_budget.share(share_of_improvements);
+    m_wanted_number_of_quads = wanted_number_of_quads();
   }
 
   // what quads of the wanted size need, and about four quads around each loop and each half handle
   double needed_number_of_quads() const
   {
+    return wanted_number_of_quads() + 4 * (2 - m_field.mesh.euler_characteristic());
+  }
+
+  // of the wanted size
+  double wanted_number_of_quads() const
+  {
     const Working_mesh& mesh = m_field.mesh;
-    double result = 4 * (2 - mesh.euler_characteristic());
+    double result = 0;
     for(int f = 0; f < mesh.number_of_faces(); ++f)
       for(const int v : mesh.triangles[f])
         result += mesh.normal(f).norm() / (6 * m_field.size[v] * m_field.size[v]);
@@ -508,6 +614,8 @@ private:
   int m_most_repairs = 0;
   Work_budget m_budget;        // known with the first field
   Work_budget m_spare;         // the part of it within which layouts are made better
+  Work_budget m_collapses;     // the part of that within which chords collapse
+  double m_wanted_number_of_quads = 0; // by the first field
   double m_work_per_face = 0;  // of the last map
   bool m_has_too_many_faces = false; // the last field, for a better map within the budget
 };
@@ -540,14 +648,17 @@ of the mesh itself: thin parts beside corners may have no room for single ones. 
 than twice the quads that size, loops and handles need, smaller distances of the singularities are
 tried as well, and the layout with the fewest quads is kept. Where quads of the layout are inverted
 when they are drawn flat, smaller ones are tried around them, and around those that are inverted
-then; the layout with the fewest of them is kept. Where there were too many quads, singularities of
-more than four quads that are closer to each other than a quad are then joined, to at most eight
-quads at one vertex; the layout with the fewest quads is kept, unless some are inverted. The work of
-all this is counted, and ends in proportion to the numbers of triangles and of wanted quads. What
-cannot fail comes last, if there is no map: the mesh is coarsened, a ring of quads is laid along
-each boundary loop, and each triangle in between is divided into three quads. Such a layout is
-valid, but has many extraordinary points; its corners are regular vertices even where the boundary
-is convex.
+then; the layout with the fewest of them is kept. Where there are at least fifty quads instead of
+less than half as many that are wanted, strips of quads that share opposite sides collapse, as far
+as no quads are inverted or next to it then, and no parts of the mesh squeezed; not where fifty or more
+are wanted. Where there were too many quads,
+singularities of more than four quads that are closer to each other than a quad are then joined, to
+at most eight quads at one vertex; the layout with the fewest quads is kept, unless some are
+inverted. The work of all this is counted, and ends in proportion to the numbers of triangles and of
+wanted quads. What cannot fail comes last, if there is no map: the mesh is coarsened, a ring of
+quads is laid along each boundary loop, and each triangle in between is divided into three quads.
+Such a layout is valid, but has many extraordinary points; its corners are regular vertices even
+where the boundary is convex.
 `Conversion_report::Map::fallback` says which of these was needed.
 
 \tparam TriangleMesh a model of `HalfedgeListGraph` and `FaceListGraph`

@@ -13,15 +13,25 @@
 
 #include <CGAL/Surface_mesh_spline_conversion/Integer_grid_map.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/layout/Boundary_positions.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/layout/Chord_collapse.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/layout/Chord_sequence.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/layout/Collapse_map.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/layout/Disk_smoothing.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/layout/Integer_grid_cells.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/layout/Quad_grid.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/layout/Quad_grid_check.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/layout/Quad_relaxation.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/layout/Rectangle_composition.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/layout/Triangle_locator.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/layout/Vertex_smoothing.h>
 
+#include <Eigen/Core>
+
 #include <cstddef>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -36,6 +46,8 @@ public:
   const char* build(const Integer_grid_map& igm)
   {
     m_quads = Quad_grid();
+    m_uncollapsed.reset();
+    m_relaxations.clear();
     m_locator = Triangle_locator();
     m_places.clear();
     m_shears.clear();
@@ -50,14 +62,47 @@ public:
     return Quad_grid_check(igm.map, positions, m_quads).run();
   }
 
+  // Finds chords of the layout to be collapsed one after the other, until there are not more than
+  // `enough` quads, or none is left that can be collapsed.
+  std::vector<Chord_sequence::Step> find_chords(const Integer_grid_map& igm, double enough,
+                                                const Work_budget& budget) const
+  {
+    return Chord_sequence(m_quads, corners(igm), point(igm)).find(enough, budget);
+  }
+
+  // Collapses chords of the layout, after the first motions of `smooth()`; `false` if there is no
+  // map then. \pre there are no motions yet
+  bool collapse_chords(const Integer_grid_map& igm, const std::vector<Chord_sequence::Step>& steps,
+                       const Work_budget& budget)
+  {
+    const double work_per_quad = 700; // including a judgement of the layout
+    budget.spend(work_per_quad * m_quads.number_of_quads());
+    smooth_in_disks(igm, budget);
+    const Chord_collapse chords(m_quads, corners(igm));
+    std::vector<char> is_in_set(chords.number_of_chords(), 0);
+    for(const Chord_sequence::Step& step : steps)
+      is_in_set[step.chord] = 1;
+    std::optional<Collapsed_quads> collapsed = chords.collapse(is_in_set);
+    if(!collapsed)
+      return false;
+    const auto map = std::make_shared<Collapse_map>(m_quads, chords, *collapsed, point(igm));
+    if(!map->is_valid())
+      return false;
+    m_uncollapsed = std::move(m_quads);
+    m_quads = std::move(collapsed->quads);
+    m_relaxations.push_back([map](const Quad_grid::Place& p) { return (*map)(p); });
+    relax(igm);
+    return true;
+  }
+
   // Moves the corners of badly shaped quads and their neighbours, where this makes them better.
   // `image`: where the layout has a point of the working mesh
   void smooth(const Integer_grid_map& igm, const Vertex_smoothing::Image& image,
               Vertex_smoothing::Priority priority, const Work_budget& budget)
   {
     const double share_of_disks = 0.5;
-    m_disk_smoothing = Disk_smoothing(igm.map, m_quads, [this](int quad, double u, double v)
-      { return locate(quad, u, v); }, budget.share(share_of_disks));
+    if(!m_uncollapsed)
+      smooth_in_disks(igm, budget.share(share_of_disks));
     m_vertex_smoothing
       = Vertex_smoothing(igm.map, m_quads, image, [this](int quad, double u, double v)
         { return m_disk_smoothing(locate(quad, u, v)); }, priority, budget);
@@ -73,10 +118,49 @@ public:
   }
 
 private:
+  void smooth_in_disks(const Integer_grid_map& igm, const Work_budget& budget)
+  {
+    m_disk_smoothing = Disk_smoothing(igm.map, m_quads, [this](int quad, double u, double v)
+      { return locate(quad, u, v); }, budget);
+  }
+
+  // After a collapse, the quads find their shapes, first inside their sides, and then inside the
+  // lines between their middles.
+  void relax(const Integer_grid_map& igm)
+  {
+    const auto inside = std::make_shared<Quad_relaxation>(m_quads, point(igm));
+    if(!inside->is_valid())
+      return;
+    m_relaxations.push_back([inside](const Quad_grid::Place& p) { return (*inside)(p); });
+    const Chord_collapse chords(m_quads, corners(igm));
+    const std::optional<Collapsed_quads> all
+      = chords.collapse(std::vector<char>(chords.number_of_chords(), 0));
+    const auto around = std::make_shared<Collapse_map>(m_quads, chords, *all, point(igm));
+    if(around->is_valid())
+      m_relaxations.push_back([around](const Quad_grid::Place& p) { return (*around)(p); });
+  }
+
+  std::vector<char> corners(const Integer_grid_map& igm) const
+  {
+    std::vector<char> is_corner(m_quads.number_of_vertices(), 0);
+    for(int v = 0; v < m_quads.number_of_vertices(); ++v)
+      is_corner[v] = m_quads.mesh_vertex[v] >= 0 && igm.map.mesh.is_corner[m_quads.mesh_vertex[v]];
+    return is_corner;
+  }
+
+  // the point of the surface at a place, before all motions
+  std::function<Eigen::Vector3d(const Quad_grid::Place&)> point(const Integer_grid_map& igm) const
+  {
+    return [this, &igm](const Quad_grid::Place& p)
+    { return point_at(igm.map.mesh, m_disk_smoothing(locate(p.quad, p.u, p.v))); };
+  }
+
   Working_location locate(std::size_t quad, double u, double v) const
   {
-    const Quad_grid::Place p
+    Quad_grid::Place p
       = m_quads.representative(Quad_grid::Place{static_cast<int>(quad), u, v});
+    for(std::size_t i = m_relaxations.size(); i-- > 0;)
+      p = (i > 0 ? m_quads : *m_uncollapsed).representative(m_relaxations[i](p));
     if(m_places.empty())
       return m_locator(p.quad, p.u, p.v);
     const Rectangle_composition::Quad_place& place = m_places[p.quad];
@@ -103,6 +187,9 @@ private:
   }
 
   Quad_grid m_quads;
+  std::optional<Quad_grid> m_uncollapsed;                  // those before chords were collapsed
+  // after the collapse, from places in the quads to those before
+  std::vector<std::function<Quad_grid::Place(const Quad_grid::Place&)> > m_relaxations;
   Triangle_locator m_locator;
   std::vector<Rectangle_composition::Quad_place> m_places; // per quad, empty for integer grid maps
   std::vector<Rectangle_shears> m_shears;                  // per rectangle

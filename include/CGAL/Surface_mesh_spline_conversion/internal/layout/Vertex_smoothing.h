@@ -58,6 +58,9 @@ public:
 
   enum class Priority { EVEN_MAP, FLAT_QUADS };
 
+  // of a quad: see `oriented_scaled_jacobian()`
+  static constexpr double tolerable_shape = 0.15;
+
   Vertex_smoothing() {}
 
   // `locate`: the point of the working mesh at the local coordinates of a quad, before the motions
@@ -91,9 +94,6 @@ public:
   }
 
 private:
-  // of a quad: see `oriented_scaled_jacobian()`
-  static constexpr double tolerable_shape = 0.15;
-
   // of the map in a quad: see `evenness()`
   static constexpr double tolerable_evenness = 0.1;
 

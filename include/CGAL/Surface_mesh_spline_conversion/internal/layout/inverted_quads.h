@@ -18,6 +18,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -26,26 +27,46 @@ namespace CGAL {
 namespace Surface_mesh_spline_conversion {
 namespace internal {
 
-// The quads of a layout that, drawn flat, are not convex or face the wrong side of the mesh near
-// their middle, in increasing order. `faces`: the corners of the faces of the mesh, as
-// `Surface_location` counts them
+// The scaled Jacobian of a quad of a layout that is drawn flat; not positive if it is not convex or
+// faces the wrong side of the mesh near its middle. `faces`: the corners of the faces of the mesh,
+// as `Surface_location` counts them
+template <typename GeomTraits>
+double shape_of_flat_quad(const Quad_layout<GeomTraits>& layout, std::size_t q,
+                          const std::vector<std::array<Eigen::Vector3d, 3> >& faces)
+{
+  typedef typename GeomTraits::FT FT;
+  std::array<Eigen::Vector3d, 4> points;
+  for(int i = 0; i < 4; ++i)
+    points[i] = to_eigen(layout.point(layout.vertex(q, i)));
+  const auto& face = faces[layout.inverse_map()(q, FT(0.5), FT(0.5)).face];
+  return oriented_scaled_jacobian(points, (face[1] - face[0]).cross(face[2] - face[0]));
+}
+
+// the least one of all quads
+template <typename GeomTraits>
+double least_shape_of_flat_quads(const Quad_layout<GeomTraits>& layout,
+                                 const std::vector<std::array<Eigen::Vector3d, 3> >& faces)
+{
+  double least = 1;
+  for(std::size_t q = 0; q < layout.number_of_quads(); ++q)
+  {
+    const double shape = shape_of_flat_quad(layout, q, faces);
+    if(!(shape >= least))
+      least = shape;
+  }
+  return least;
+}
+
+// the quads with a shape that is not positive, in increasing order
 template <typename GeomTraits>
 std::vector<std::size_t> inverted_quads(
   const Quad_layout<GeomTraits>& layout,
   const std::vector<std::array<Eigen::Vector3d, 3> >& faces)
 {
-  typedef typename GeomTraits::FT FT;
   std::vector<std::size_t> inverted;
   for(std::size_t q = 0; q < layout.number_of_quads(); ++q)
-  {
-    std::array<Eigen::Vector3d, 4> points;
-    for(int i = 0; i < 4; ++i)
-      points[i] = to_eigen(layout.point(layout.vertex(q, i)));
-    const auto& face = faces[layout.inverse_map()(q, FT(0.5), FT(0.5)).face];
-    const Eigen::Vector3d normal = (face[1] - face[0]).cross(face[2] - face[0]);
-    if(!(oriented_scaled_jacobian(points, normal) > 0))
+    if(!(shape_of_flat_quad(layout, q, faces) > 0))
       inverted.push_back(q);
-  }
   return inverted;
 }
 
