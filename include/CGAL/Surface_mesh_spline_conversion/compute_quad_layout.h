@@ -648,12 +648,11 @@ of the mesh itself: thin parts beside corners may have no room for single ones. 
 than twice the quads that size, loops and handles need, smaller distances of the singularities are
 tried as well, and the layout with the fewest quads is kept. Where quads of the layout are inverted
 when they are drawn flat, smaller ones are tried around them, and around those that are inverted
-then; the layout with the fewest of them is kept. Where there are at least fifty quads instead of
-less than half as many that are wanted, strips of quads that share opposite sides collapse, as far
-as no quads are inverted or next to it then, and no parts of the mesh squeezed; not where fifty or more
-are wanted. Where there were too many quads,
-singularities of more than four quads that are closer to each other than a quad are then joined, to
-at most eight quads at one vertex; the layout with the fewest quads is kept, unless some are
+then; the layout with the fewest of them is kept. Where less than fifty quads are wanted, but there
+are at least fifty, and more than twice as many as wanted, strips of quads that share opposite sides
+collapse, unless quads are nearly inverted or parts of the mesh squeezed then. Where there were too
+many quads, singularities of more than four quads that are closer to each other than a quad are then
+joined, to at most eight quads at one vertex; the layout with the fewest quads is kept, unless some are
 inverted. The work of all this is counted, and ends in proportion to the numbers of triangles and of
 wanted quads. What cannot fail comes last, if there is no map: the mesh is coarsened, a ring of
 quads is laid along each boundary loop, and each triangle in between is divided into three quads.
