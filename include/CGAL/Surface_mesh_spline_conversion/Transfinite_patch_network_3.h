@@ -296,15 +296,15 @@ public:
   /// returns the number of faces of the mesh.
   size_type number_of_mesh_faces() const { return m_mesh->number_of_faces(); }
 
-  /// returns the number of points where the mesh may be farthest from a surface: its vertices and the
-  /// middles of its inner edges. A smooth target does not have the latter.
+  /// returns the number of points where the mesh may be farthest from a surface: its vertices and
+  /// the middles of its inner edges. A smooth target does not have the latter.
   size_type number_of_mesh_points() const
   {
     return m_mesh->number_of_vertices() + (has_smooth_target() ? 0 : m_mesh->number_of_edges());
   }
 
-  /// returns the point of the vertex at the position `i` in `vertices(tm)`, or the middle of an edge
-  /// where `i` is not less than the number of vertices, rounded to doubles.
+  /// returns the point of the vertex at the position `i` in `vertices(tm)`, or the middle of an
+  /// edge where `i` is not less than the number of vertices, rounded to doubles.
   Point_3 mesh_point(size_type i) const
   {
     const size_type n = m_mesh->number_of_vertices();

@@ -44,9 +44,9 @@ struct Largest_error
 };
 
 // Measures the distance between surface and target at the error samples of all patches, and to the
-// surface from the points of the mesh where it is farthest from a smooth surface: its vertices and the middles of
-// its edges. They do not count along the boundary, where the target differs from the mesh. Above an
-// edge, the distance from the surface to the mesh has a ridge, which the samples of patches miss.
+// surface from the points of the mesh where it is farthest from a smooth one: its vertices, and the
+// middles of its edges, above which the distance has ridges between the samples. These points do not
+// count along the boundary where the target differs from the mesh.
 //
 // The distance between points with equal parameters is an upper bound of the distance between a
 // point and the other side; so is the distance before control points have moved, plus the largest
