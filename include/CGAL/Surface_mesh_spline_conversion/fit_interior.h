@@ -36,7 +36,9 @@ refinement adds boundary control points, the boundary is fitted again.
 
 The control points are the least-squares fit to samples of the target, first at equal parameters and
 then, unless the error metric is parametric, at the points of the target closest to the surface. The
-distance is measured at the nodes of a 9x9 grid per patch, after the last fit.
+distance is measured at the nodes of a 9x9 grid per patch, after the last fit; unless the error metric
+is parametric, also from the points of the mesh where it is farthest from a smooth surface, see
+`Transfinite_patch_network_3::mesh_point()`, and the worst patches are refined first.
 
 \tparam Surface a `CGAL::T_NURCC_surface_3`
 \tparam Target a `Transfinite_patch_network_3`
@@ -116,9 +118,9 @@ Error_code fit_interior(Surface& surface, const Target& target, Conversion_repor
   const internal::Boundary_fit_options boundary_options
     = internal::boundary_fit_options(target, np);
   const double diameter = CGAL::to_double(target.diameter());
-  const std::string defect
-    = internal::tolerance_defect("interior", options.tolerance, diameter)
-      + internal::tolerance_defect("boundary", boundary_options.tolerance, diameter);
+  std::string defect = internal::tolerance_defect("interior", options.tolerance, diameter);
+  if(defect.empty())
+    defect = internal::tolerance_defect("boundary", boundary_options.tolerance, diameter);
   if(!defect.empty())
   {
     report.message = defect;
