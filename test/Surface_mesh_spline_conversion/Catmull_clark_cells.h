@@ -209,10 +209,12 @@ struct Catmull_clark_surface
         bool is_covered = false;
         for(int k = 1; k <= l; ++k)
           is_covered = is_covered || done.count({w[0], w[1] >> k, w[2] >> k, l - k});
-        SMSC_internal::Cell cell;
-        cell.points.fill(Point::Zero());
-        if(is_covered || (!bezier(levels[l], f, cell.points) && l < depth))
+        SMSC_internal::Bicubic points;
+        points.fill(Point::Zero());
+        if(is_covered || (!bezier(levels[l], f, points) && l < depth))
           continue;
+        SMSC_internal::Cell cell;
+        cell.points = std::make_shared<const SMSC_internal::Bicubic>(points);
         done.insert({w[0], w[1], w[2], l});
         const std::int64_t size = SMSC_internal::QUAD_TICKS >> l;
         cell.quad = cell.patch = w[0];

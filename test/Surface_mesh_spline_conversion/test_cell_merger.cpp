@@ -70,9 +70,11 @@ private:
         cell.quad = cell.patch = at(x, y);
         cell.rectangle.low = {{i * QUAD_TICKS / n[0], j * QUAD_TICKS / n[1]}};
         cell.rectangle.high = {{(i + 1) * QUAD_TICKS / n[0], (j + 1) * QUAD_TICKS / n[1]}};
+        Bicubic points;
         for(int k = 0; k < 16; ++k)
-          cell.points[k] = Eigen::Vector3d(x + (i + (k % 4) / 3.) / n[0],
-                                           y + (j + (k / 4) / 3.) / n[1], 0);
+          points[k] = Eigen::Vector3d(x + (i + (k % 4) / 3.) / n[0],
+                                      y + (j + (k / 4) / 3.) / n[1], 0);
+        cell.points = std::make_shared<const Bicubic>(points);
         cells_of_quad.back().push_back(cells.size());
         cells.push_back(cell);
       }

@@ -26,6 +26,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace CGAL {
@@ -87,9 +88,11 @@ std::vector<Cell> surface_cells(const T_NURCC_surface_3<K>& surface)
     cell.quad = surface.patch_origin(element.patch).quad;
     cell.rectangle = {{{quad_ticks(element.u0), quad_ticks(element.v0)}},
                       {{quad_ticks(element.u1), quad_ticks(element.v1)}}};
-    for(std::size_t i = 0; i < cell.points.size(); ++i)
-      cell.points[i] = to_eigen(element.points[i]);
-    cells.push_back(cell);
+    Bicubic points;
+    for(std::size_t i = 0; i < points.size(); ++i)
+      points[i] = to_eigen(element.points[i]);
+    cell.points = std::make_shared<const Bicubic>(points);
+    cells.push_back(std::move(cell));
   }
   return cells;
 }

@@ -23,6 +23,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -116,14 +117,17 @@ public:
     for(std::size_t c = 0; c < is_covered.size(); ++c)
       if(!is_covered[c])
         result.push_back(m_complex.cells()[c]);
+    Bicubic zeros; // points of the caps take their place
+    zeros.fill(Eigen::Vector3d::Zero());
+    const auto no_points = std::make_shared<const Bicubic>(zeros);
     for(std::size_t i = 0; i < caps.size(); ++i)
       for(std::size_t k = 0; k < caps[i].sectors.size(); ++k)
       {
         const Cap_sector& sector = caps[i].sectors[k];
         Cell cell;
+        cell.points = no_points;
         cell.quad = sector.quad;
         cell.rectangle = sector.rectangle;
-        cell.points.fill(Eigen::Vector3d::Zero()); // those of the cap take their place
         cell.patch = sector.patch;
         cell.cap = i;
         cell.sector = k;
@@ -346,7 +350,7 @@ private:
       return;
     const auto& across = m_complex.across(neighbor.use);
     const Cell& cell = m_complex.cells()[across.cell];
-    const Bicubic grid = rotated(cell.points, (4 - across.side) & 3);
+    const Bicubic grid = rotated(*cell.points, (4 - across.side) & 3);
     const double size = double(sector.rectangle.extent(0));
     const double along = double(cell.rectangle.extent(across.side & 1));
     const double step = size / double(cell.rectangle.extent((across.side + 1) & 1));

@@ -24,6 +24,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace CGAL {
@@ -249,9 +250,9 @@ private:
   static void move_line(const Crease& crease, Cell& cell)
   {
     const Tick_rectangle r = cell.frame(cell.rectangle);
-    Bicubic grid = rotated(cell.points, cell.frame.turns);
+    Bicubic grid = rotated(*cell.points, cell.frame.turns);
     add_shift(crease, cell.sector, r.low[1], r.high[1], grid);
-    cell.points = rotated(grid, 4 - cell.frame.turns);
+    cell.points = std::make_shared<const Bicubic>(rotated(grid, 4 - cell.frame.turns));
   }
 
   // Gives the last cells the position and derivative of the new face at its end: the cap there
@@ -261,7 +262,7 @@ private:
     const Tick_rectangle r = cell.frame(cell.rectangle);
     if(r.high[1] != crease.breaks.back())
       return;
-    Bicubic grid = rotated(cell.points, cell.frame.turns);
+    Bicubic grid = rotated(*cell.points, cell.frame.turns);
     const std::size_t last = crease.breaks.size() - 2;
     const double share = double(r.extent(1))
                        / double(crease.breaks[last + 1] - crease.breaks[last]);
@@ -273,7 +274,7 @@ private:
       grid[12 + a] = end;
       grid[8 + a] = end - share * DEGREE_ALONG / 3 * (end - before);
     }
-    cell.points = rotated(grid, 4 - cell.frame.turns);
+    cell.points = std::make_shared<const Bicubic>(rotated(grid, 4 - cell.frame.turns));
     cell.is_end_of_crease = true;
   }
 
@@ -300,7 +301,7 @@ private:
       const Placed_cell& placed = line.cells[side][i];
       const Tick_rectangle r = image(placed);
       const double share = double(crease.width[side]) / double(r.extent(0));
-      const Bicubic grid = rotated(m_complex.cells()[placed.cell].points, placed.frame.turns);
+      const Bicubic grid = rotated(*m_complex.cells()[placed.cell].points, placed.frame.turns);
       result.push_back(restriction(
         grid, side == 0 ? 1 - share : 0, double(crease.breaks[k] - r.low[1]) / double(r.extent(1)),
         side == 0 ? 1 : share, double(crease.breaks[k + 1] - r.low[1]) / double(r.extent(1))));
@@ -367,7 +368,7 @@ private:
   {
     const Tick_rectangle r = frame(cell.rectangle);
     const double t = double(at - r.low[axis]) / double(r.extent(axis));
-    const Bicubic grid = rotated(cell.points, frame.turns);
+    const Bicubic grid = rotated(*cell.points, frame.turns);
     std::array<Cell, 2> result = {{cell, cell}};
     for(std::size_t k = 0; k < 2; ++k)
     {
@@ -375,8 +376,9 @@ private:
       range[axis] = (k == 0) ? std::array<double, 2>{{0, t}} : std::array<double, 2>{{t, 1}};
       Tick_rectangle part = r;
       (k == 0 ? part.high : part.low)[axis] = at;
-      result[k].points = rotated(restriction(grid, range[0][0], range[1][0], range[0][1],
-                                             range[1][1]), 4 - frame.turns);
+      result[k].points = std::make_shared<const Bicubic>(
+        rotated(restriction(grid, range[0][0], range[1][0], range[0][1], range[1][1]),
+                4 - frame.turns));
       result[k].rectangle = frame.inverse()(part);
     }
     return result;

@@ -97,7 +97,7 @@ private:
     {
       const auto& side = segment.sides[k];
       const Cell& cell = m_complex.cells()[side.cell];
-      grid[k] = rotated(cell.points, (4 - side.side) & 3);
+      grid[k] = rotated(*cell.points, (4 - side.side) & 3);
       extent[k] = double(cell.rectangle.extent((side.side + 1) & 1));
     }
     const double step = (std::min)(extent[0], extent[1]);

@@ -13,12 +13,16 @@
 
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/blossoms.h>
 
+#include <boost/range/iterator_range.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <memory>
+#include <numeric>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -85,12 +89,12 @@ struct Tick_frame
   }
 };
 
-/// a rectangle of a layout quad with a polynomial; of a cap only the rectangle is used
+/// a rectangle of a layout quad with a polynomial; of a cap, only the rectangle
 struct Cell
 {
   std::size_t quad;
   Tick_rectangle rectangle;
-  Bicubic points;
+  std::shared_ptr<const Bicubic> points; ///< shared by copies of the cell
   std::size_t patch;
   std::size_t cap = NO_INDEX; ///< index of the cap the cell belongs to, if any
   std::size_t sector = 0;     ///< of the cap or crease
@@ -134,9 +138,9 @@ public:
   struct Segment_side
   {
     std::size_t cell = NO_INDEX;
-    int side = 0;         ///< of the cell, in the coordinates of its quad
     double first = 0;     ///< where the segment lies on this side of the cell, counter clockwise
     double last = 1;
+    int side = 0;         ///< of the cell, in the coordinates of its quad
     int quad_side = -1;   ///< side of the quad the segment lies on, or -1
   };
 
@@ -154,14 +158,19 @@ public:
     int which;
   };
 
+  typedef boost::iterator_range<const Segment_use*> Segment_uses;
+
   Cell_complex(std::vector<Cell> cells, const Quad_neighbors& neighbors)
-    : m_cells(std::move(cells)), m_neighbors(neighbors), m_uses(m_cells.size())
+    : m_cells(std::move(cells)), m_neighbors(neighbors)
   {
     collect_lines();
     for(auto& line : m_lines)
       cut_line(line.first, line.second);
+    m_number_of_vertices = m_vertices.size();
     m_lines.clear();
-    order_uses();
+    m_vertices.clear();
+    m_segments.shrink_to_fit();
+    collect_uses();
   }
 
   const std::vector<Cell>& cells() const { return m_cells; }
@@ -170,9 +179,10 @@ public:
   std::size_t number_of_vertices() const { return m_number_of_vertices; }
 
   /// the segments along `side` of `cell`, counter clockwise
-  const std::vector<Segment_use>& uses(std::size_t cell, int side) const
+  Segment_uses uses(std::size_t cell, int side) const
   {
-    return m_uses[cell][side];
+    const std::size_t i = side_index(cell, side);
+    return Segment_uses(m_uses.data() + m_first_use[i], m_uses.data() + m_first_use[i + 1]);
   }
 
   /// the vertex where the use begins, as seen from its cell
@@ -332,19 +342,36 @@ private:
       std::swap(segment.sides[0], segment.sides[1]);
       std::swap(segment.vertex[0], segment.vertex[1]);
     }
-    for(int which = 0; which < 2; ++which)
-      if(segment.sides[which].cell != NO_INDEX)
-        m_uses[segment.sides[which].cell][segment.sides[which].side].push_back(
-          {m_segments.size(), which});
     m_segments.push_back(segment);
   }
 
-  void order_uses()
+  static std::size_t side_index(std::size_t cell, int side) { return 4 * cell + std::size_t(side); }
+
+  // sorts the sides of segments by the sides of cells, counter clockwise
+  void collect_uses()
   {
-    for(auto& sides : m_uses)
-      for(auto& uses : sides)
-        std::sort(uses.begin(), uses.end(), [this](const Segment_use& a, const Segment_use& b)
-                  { return here(a).first < here(b).first; });
+    m_first_use.assign(4 * m_cells.size() + 1, 0);
+    for_each_use([this](const Segment_use& use)
+      { ++m_first_use[side_index(here(use).cell, here(use).side) + 1]; });
+    std::partial_sum(m_first_use.begin(), m_first_use.end(), m_first_use.begin());
+    m_uses.resize(m_first_use.back());
+    std::vector<std::size_t> next = m_first_use;
+    for_each_use([&](const Segment_use& use)
+      { m_uses[next[side_index(here(use).cell, here(use).side)]++] = use; });
+    for(std::size_t i = 0; i + 1 < m_first_use.size(); ++i)
+      std::sort(m_uses.begin() + std::ptrdiff_t(m_first_use[i]),
+                m_uses.begin() + std::ptrdiff_t(m_first_use[i + 1]),
+                [this](const Segment_use& a, const Segment_use& b)
+                { return here(a).first < here(b).first; });
+  }
+
+  template <typename Visitor>
+  void for_each_use(const Visitor& visit) const
+  {
+    for(std::size_t i = 0; i < m_segments.size(); ++i)
+      for(int which = 0; which < 2; ++which)
+        if(m_segments[i].sides[which].cell != NO_INDEX)
+          visit(Segment_use{i, which});
   }
 
   std::size_t vertex_on_line(const Line& line, std::int64_t t)
@@ -353,10 +380,8 @@ private:
     const std::int64_t level = std::get<2>(line);
     const Tick_point p = (kind < 0) ? point_on_side(-1 - kind, t)
                        : (kind == 0) ? Tick_point{{level, t}} : Tick_point{{t, level}};
-    const auto it = m_vertices.emplace(canonical_point(std::get<0>(line), p), m_number_of_vertices);
-    if(it.second)
-      ++m_number_of_vertices;
-    return it.first->second;
+    return m_vertices.emplace(canonical_point(std::get<0>(line), p), m_vertices.size())
+      .first->second;
   }
 
   // the smallest name of a point: points on sides have two, layout vertices as many as quads
@@ -423,7 +448,8 @@ private:
   std::map<Line, Line_sides> m_lines;
   std::map<Point_key, std::size_t> m_vertices;
   std::vector<Segment> m_segments;
-  std::vector<std::array<std::vector<Segment_use>, 4> > m_uses;
+  std::vector<Segment_use> m_uses;
+  std::vector<std::size_t> m_first_use; // of the sides of the cells
   std::size_t m_number_of_vertices = 0;
 };
 

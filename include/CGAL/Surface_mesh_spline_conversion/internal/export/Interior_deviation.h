@@ -195,6 +195,10 @@ private:
     const Bezier_piece& piece = m_pieces[i];
     const int nu = number_of_intervals(length(piece, 0)), nv = number_of_intervals(length(piece, 1));
     part.intervals = {{nu, nv}};
+    const std::size_t n = std::size_t((nu + 1) * (nv + 1) + nu * nv);
+    part.samples.reserve(n);
+    part.points.reserve(n);
+    part.deviations.reserve(n);
     for(int b = 0; b <= 2 * nv; ++b)
       for(int a = b & 1; a <= 2 * nu; a += 2)
         add_sample(piece, a / (2. * nu), b / (2. * nv), a & 1, part);

@@ -402,11 +402,11 @@ private:
     if(!is_cap(m_complex.here(use)))
     {
       const auto& side = m_complex.here(use);
-      return restriction(side_curve(m_complex.cells()[side.cell].points, side.side), side.first,
+      return restriction(side_curve(*m_complex.cells()[side.cell].points, side.side), side.first,
                          side.last);
     }
     const auto& side = m_complex.across(use);
-    return restriction(side_curve(m_complex.cells()[side.cell].points, side.side), side.last,
+    return restriction(side_curve(*m_complex.cells()[side.cell].points, side.side), side.last,
                        side.first);
   }
 
@@ -489,7 +489,7 @@ private:
     const std::vector<std::size_t> cell_of_span = cells_of_spans(face, ticks);
     std::vector<Bicubic> pieces;
     for(const Placed_cell& placed : face.cells)
-      pieces.push_back(rotated(m_complex.cells()[placed.cell].points, placed.frame.turns));
+      pieces.push_back(rotated(*m_complex.cells()[placed.cell].points, placed.frame.turns));
     patch = m_complex.cells()[face.cells[cell_of_span[0]].cell].patch;
 
     B_spline_surface_3<K> result;

@@ -23,6 +23,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -55,7 +56,7 @@ inline double largest_coordinate(const std::vector<Cell>& cells)
 {
   double result = 0;
   for(const Cell& cell : cells)
-    for(const Eigen::Vector3d& p : cell.points)
+    for(const Eigen::Vector3d& p : *cell.points)
       result = (std::max)(result, p.cwiseAbs().maxCoeff());
   return result;
 }
@@ -74,7 +75,8 @@ inline std::vector<Cell> quartered(const Cell& cell)
         c.rectangle.low[axis] += at[axis] * half;
         c.rectangle.high[axis] = c.rectangle.low[axis] + half;
       }
-      c.points = restriction(cell.points, i / 2., j / 2., (i + 1) / 2., (j + 1) / 2.);
+      c.points = std::make_shared<const Bicubic>(
+        restriction(*cell.points, i / 2., j / 2., (i + 1) / 2., (j + 1) / 2.));
       result.push_back(c);
     }
   return result;
@@ -158,7 +160,7 @@ bool cut_out_creases_and_caps(const Cell_complex& all, const Quad_neighbors& nei
                               std::vector<Cap>& caps, std::vector<Cell>& cells)
 {
   creases.clear();
-  std::vector<Cell> cut = all.cells();
+  std::vector<Cell> cut;
   if(lines != Crease_lines::NONE)
   {
     Crease_builder builder(all, {settings.cap_tolerance, equality, settings.levels,
@@ -166,6 +168,8 @@ bool cut_out_creases_and_caps(const Cell_complex& all, const Quad_neighbors& nei
     creases = builder();
     cut = builder.cells(creases);
   }
+  else
+    cut = all.cells();
   const Cell_complex complex(std::move(cut), neighbors);
   Cap_builder<Position> builder(complex, position,
                                 {settings.cap_tolerance, equality, settings.levels});
@@ -189,7 +193,7 @@ std::vector<Bezier_piece> pieces_of_cells(const Cell_complex& complex,
     else
       for(const Placed_cell& placed : faces[f].cells)
       {
-        const Bicubic& points = complex.cells()[placed.cell].points;
+        const Bicubic& points = *complex.cells()[placed.cell].points;
         result.push_back(Bezier_piece{{{3, 3}}, {points.begin(), points.end()}, f});
       }
   return result;

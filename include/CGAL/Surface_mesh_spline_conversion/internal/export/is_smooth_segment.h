@@ -38,7 +38,7 @@ inline bool is_smooth_segment(const Cell_complex& complex, std::size_t index, do
     if(side.cell == NO_INDEX || complex.cells()[side.cell].cap != NO_INDEX)
       return false;
     const Cell& cell = complex.cells()[side.cell];
-    grid[k] = rotated(cell.points, (4 - side.side) & 3);
+    grid[k] = rotated(*cell.points, (4 - side.side) & 3);
     extent[k] = double(cell.rectangle.extent((side.side + 1) & 1));
   }
   const double step = (std::min)(extent[0], extent[1]);

@@ -18,9 +18,9 @@
 
 #include <Eigen/Core>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -53,7 +53,8 @@ public:
     double t(double v) const { return (v - v0) / (v1 - v0); }
   };
 
-  typedef std::vector<Element> Elements; // of a patch; none of an extraordinary one
+  // those of a patch, which do not change; none of an extraordinary one
+  typedef std::shared_ptr<const std::vector<Element> > Elements;
 
   // \pre update() is called for all patches before they are evaluated
   explicit Bezier_patches(const Surface& surface)
@@ -65,14 +66,16 @@ public:
   // takes over that control points that act on a patch have moved
   void update(size_type patch)
   {
-    Elements& elements = m_elements[patch];
-    elements.clear();
+    m_elements[patch].reset();
     if(m_surface.is_extraordinary_patch(patch))
       return;
-    for(const auto& e : m_surface.patch_elements(patch))
+    const auto of_surface = m_surface.patch_elements(patch);
+    const auto elements = std::make_shared<std::vector<Element> >();
+    elements->reserve(of_surface.size());
+    for(const auto& e : of_surface)
     {
-      elements.emplace_back();
-      Element& element = elements.back();
+      elements->emplace_back();
+      Element& element = elements->back();
       element.u0 = CGAL::to_double(e.u0);
       element.v0 = CGAL::to_double(e.v0);
       element.u1 = CGAL::to_double(e.u1);
@@ -80,6 +83,7 @@ public:
       for(size_type k = 0; k < 16; ++k)
         element.points[k] = to_eigen(e.points[k]);
     }
+    m_elements[patch] = elements;
   }
 
   // takes a patch of another surface with the same functions and control points
@@ -91,14 +95,7 @@ public:
   // returns the elements of a patch, to be set again later
   const Elements& elements(size_type patch) const { return m_elements[patch]; }
 
-  // replaces the elements of a patch by as many others, and returns the end of these
-  typename Elements::const_iterator set_elements(size_type patch,
-                                                 typename Elements::const_iterator first)
-  {
-    const auto last = first + std::ptrdiff_t(m_elements[patch].size());
-    std::copy(first, last, m_elements[patch].begin());
-    return last;
-  }
+  void set_elements(size_type patch, const Elements& elements) { m_elements[patch] = elements; }
 
   // computes the points of a patch on a uniform grid, see `Surface::positions()`
   // \pre the patch has a Bezier form
@@ -132,10 +129,19 @@ public:
     }
   }
 
+  // returns the point of a patch at `(u,v)`
+  // \pre the patch has a Bezier form
+  Eigen::Vector3d point(size_type patch, const FT& u, const FT& v) const
+  {
+    const double x = CGAL::to_double(u), y = CGAL::to_double(v);
+    const Element& e = element_at(patch, x, y);
+    return combination(bernstein(e.s(x), 0), curve(e, bernstein(e.t(y), 0)));
+  }
+
   // evaluates a patch at `(u,v)`
   Point_and_tangents point_and_tangents(size_type patch, const FT& u, const FT& v) const
   {
-    if(m_elements[patch].empty())
+    if(!m_elements[patch])
       return point_and_tangents_of_surface(patch, u, v);
     const double x = CGAL::to_double(u), y = CGAL::to_double(v);
     const Element& e = element_at(patch, x, y);
@@ -151,7 +157,7 @@ private:
 
   const Element& element_at(size_type patch, double u, double v) const
   {
-    const Elements& elements = m_elements[patch];
+    const std::vector<Element>& elements = *m_elements[patch];
     for(size_type i = 0; i + 1 < elements.size(); ++i)
       if(u <= elements[i].u1 && v <= elements[i].v1)
         return elements[i];

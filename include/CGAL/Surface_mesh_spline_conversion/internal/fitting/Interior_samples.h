@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <numeric>
 #include <tuple>
@@ -81,6 +82,7 @@ public:
     number_samples();
     find_split_corners();
     m_factors.assign(m_number_of_patches, 1);
+    m_targets.resize(m_number_of_patches);
     make_stencils(previous);
     for_each_index(m_number_of_patches, [&](size_type p)
     {
@@ -169,7 +171,7 @@ public:
   }
 
   // Error samples are numbered through all patches.
-  size_type number_of_error_samples() const { return m_targets.size(); }
+  size_type number_of_error_samples() const { return m_patches.size(); }
   size_type first_error_sample(size_type patch) const { return m_first_error_sample[patch]; }
 
   Place error_place(size_type i) const
@@ -188,10 +190,18 @@ public:
   }
 
   // returns the point of the target at an error sample
-  const Eigen::Vector3d& target(size_type i) const { return m_targets[i]; }
+  const Eigen::Vector3d& target(size_type i) const
+  {
+    const size_type patch = m_patches[i];
+    return m_targets[patch]->points[i - m_first_error_sample[patch]];
+  }
 
   // returns the face of the mesh at an error sample, see `Transfinite_patch_network_3::point()`
-  size_type mesh_face(size_type i) const { return m_faces[i]; }
+  size_type mesh_face(size_type i) const
+  {
+    const size_type patch = m_patches[i];
+    return m_targets[patch]->faces[i - m_first_error_sample[patch]];
+  }
 
   // returns the point of the target that the surface shall have at a fit sample
   const Eigen::Vector3d& fit_target(size_type patch, size_type k) const
@@ -213,7 +223,7 @@ public:
 
   void set_near_face(size_type patch, size_type k, size_type face)
   {
-    m_near_faces[m_first_fit_sample[patch] + k] = face;
+    m_near_faces[m_first_fit_sample[patch] + k] = std::uint32_t(face);
   }
 
   // returns the face of the fit sample before an error sample
@@ -241,6 +251,13 @@ private:
   {
     std::vector<size_type> functions;
     std::vector<double> values, error_values;
+  };
+
+  // the points of the target at the error samples of a patch, and the faces of the mesh there
+  struct Patch_targets
+  {
+    std::vector<Eigen::Vector3d> points;
+    std::vector<std::uint32_t> faces;
   };
 
   static constexpr size_type coarse_grid = 2, fine_grid = 4;
@@ -323,10 +340,10 @@ private:
       m_first_fit_sample.push_back(m_first_fit_sample[p] + m_grids[p].number_of_fit_samples());
       m_first_error_sample.push_back(m_first_error_sample[p]
                                      + m_grids[p].number_of_error_samples());
-      m_patches.resize(m_first_error_sample.back(), p);
     }
-    m_targets.resize(m_first_error_sample.back());
-    m_faces.resize(m_first_error_sample.back());
+    m_patches.reserve(m_first_error_sample.back());
+    for(size_type p = 0; p < m_number_of_patches; ++p)
+      m_patches.resize(m_first_error_sample[p + 1], std::uint32_t(p));
     m_fit_targets.resize(m_first_fit_sample.back());
     m_near_faces.resize(m_first_fit_sample.back());
   }
@@ -364,8 +381,8 @@ private:
     const size_type i = patch == none ? none : previous->error_sample_at(patch, at.u, at.v);
     if(i == none)
       return to_eigen(m_target.point(at.quad, at.u, at.v, face));
-    face = previous->m_faces[i];
-    return previous->m_targets[i];
+    face = previous->mesh_face(i);
+    return previous->target(i);
   }
 
   // returns the error sample of a patch at the parameters, or `none`
@@ -383,10 +400,17 @@ private:
   void make_targets(size_type patch, const Interior_samples* previous)
   {
     const Grid& g = m_grids[patch];
-    size_type sample = first_error_sample(patch);
+    const auto targets = std::make_shared<Patch_targets>();
+    targets->points.reserve(g.number_of_error_samples());
+    targets->faces.reserve(g.number_of_error_samples());
     for(size_type j = 0; j <= 2 * g.v; ++j)
-      for(size_type i = 0; i <= 2 * g.u; ++i, ++sample)
-        m_targets[sample] = target_point(error_place(patch, i, j), previous, m_faces[sample]);
+      for(size_type i = 0; i <= 2 * g.u; ++i)
+      {
+        size_type face;
+        targets->points.push_back(target_point(error_place(patch, i, j), previous, face));
+        targets->faces.push_back(std::uint32_t(face));
+      }
+    m_targets[patch] = targets;
     reset_fit_targets(patch);
     for(size_type k = 0; k < m_grids[patch].number_of_fit_samples(); ++k)
       set_near_face(patch, k, mesh_face(error_sample(patch, k)));
@@ -394,13 +418,8 @@ private:
 
   void copy_targets(size_type patch, const Interior_samples& other)
   {
-    const size_type old = m_previous[patch], first = first_error_sample(patch);
-    const size_type old_first = other.first_error_sample(old);
-    for(size_type i = first; i < first_error_sample(patch + 1); ++i)
-    {
-      m_targets[i] = other.m_targets[old_first + i - first];
-      m_faces[i] = other.m_faces[old_first + i - first];
-    }
+    const size_type old = m_previous[patch];
+    m_targets[patch] = other.m_targets[old];
     for(size_type k = 0; k < m_grids[patch].number_of_fit_samples(); ++k)
     {
       set_fit_target(patch, k, other.fit_target(old, k));
@@ -441,6 +460,7 @@ private:
     }
     result.error_values = grid_values(patch, 2 * g.u, 2 * g.v, result.functions);
     const std::ptrdiff_t n = std::ptrdiff_t(result.functions.size());
+    result.values.reserve(size_type(n) * g.number_of_fit_samples());
     for(size_type k = 0; k < g.number_of_fit_samples(); ++k)
     {
       const auto first = result.error_values.begin()
@@ -506,10 +526,10 @@ private:
   std::vector<size_type> m_stamps; // of the functions of the patches
   std::vector<std::shared_ptr<const Patch_stencils> > m_stencils;
   std::vector<size_type> m_first_fit_sample, m_first_error_sample; // of a patch
-  std::vector<size_type> m_patches; // of the error samples
-  std::vector<Eigen::Vector3d> m_targets, m_fit_targets;
-  std::vector<size_type> m_faces;      // of the mesh, at the error samples
-  std::vector<size_type> m_near_faces; // see near_face()
+  std::vector<std::uint32_t> m_patches; // of the error samples
+  std::vector<std::shared_ptr<const Patch_targets> > m_targets; // of the patches
+  std::vector<Eigen::Vector3d> m_fit_targets;
+  std::vector<std::uint32_t> m_near_faces; // see near_face()
 };
 
 } // namespace internal

@@ -38,10 +38,8 @@ class Split_directions
   typedef typename Surface::Patch_split Patch_split;
 
 public:
-  // `points`: of the surface at the error samples
-  Split_directions(const Surface& surface, const Target& target, const Samples& samples,
-                   const std::vector<Eigen::Vector3d>& points)
-    : m_surface(surface), m_target(target), m_samples(samples), m_points(points)
+  Split_directions(const Surface& surface, const Target& target, const Samples& samples)
+    : m_surface(surface), m_target(target), m_samples(samples)
   {}
 
   std::vector<Patch_split> operator()(const std::vector<size_type>& patches) const
@@ -98,28 +96,25 @@ private:
   {
     const auto& grid = m_samples.grid(patch);
     const size_type row = grid.u + 1;
+    std::vector<Eigen::Vector3d> differences = m_samples.surface_points(patch);
+    for(size_type k = 0; k < differences.size(); ++k)
+      differences[k] -= m_samples.fit_target(patch, k);
     Variation result;
-    for(size_type k = 0; k < grid.number_of_fit_samples(); ++k)
+    for(size_type k = 0; k < differences.size(); ++k)
     {
       if(k % row != 0)
-        result.u += (difference(patch, k) - difference(patch, k - 1)).squaredNorm()
+        result.u += (differences[k] - differences[k - 1]).squaredNorm()
                     * double(grid.u) / double(grid.v + 1);
       if(k >= row)
-        result.v += (difference(patch, k) - difference(patch, k - row)).squaredNorm()
+        result.v += (differences[k] - differences[k - row]).squaredNorm()
                     * double(grid.v) / double(grid.u + 1);
     }
     return result;
   }
 
-  Eigen::Vector3d difference(size_type patch, size_type k) const
-  {
-    return m_points[m_samples.error_sample(patch, k)] - m_samples.fit_target(patch, k);
-  }
-
   const Surface& m_surface;
   const Target& m_target;
   const Samples& m_samples;
-  const std::vector<Eigen::Vector3d>& m_points;
 };
 
 } // namespace internal

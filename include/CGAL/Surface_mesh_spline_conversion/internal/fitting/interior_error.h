@@ -77,7 +77,8 @@ public:
       find_moves([&](size_type p) { return samples.has_previous_functions(p)
                                              ? move(p, previous->m_control_points) : unbounded; });
     const size_type n = samples.number_of_error_samples();
-    m_points.resize(n);
+    m_distances.reserve(n + number_of_mesh_points());
+    m_is_bound.reserve(n + number_of_mesh_points());
     m_distances.resize(n, unbounded);
     m_is_bound.resize(n, true);
     m_upper_bounds.assign(samples.number_of_patches(), unbounded);
@@ -127,7 +128,6 @@ public:
       m_is_kept[p] = false;
     m_kept.patches.clear();
     m_kept.elements.clear();
-    m_kept.points.clear();
     m_kept.distances.clear();
   }
 
@@ -137,14 +137,11 @@ public:
   {
     for(size_type i = 0; i < m_control_points.size(); ++i)
       m_control_points[i] = to_eigen(m_surface.control_point(i));
-    auto element = m_kept.elements.cbegin();
-    auto point = m_kept.points.begin();
+    auto elements = m_kept.elements.begin();
     auto distance = m_kept.distances.begin();
     for(size_type p : m_kept.patches)
     {
-      element = m_patches.set_elements(p, element);
-      for(auto it = first_point(p); it != first_point(p + 1); ++it)
-        *it = *point++;
+      m_patches.set_elements(p, *elements++);
       for_each_place(p, [&](size_type i) { std::tie(m_distances[i], m_is_bound[i]) = *distance++; });
       m_upper_bounds[p] = unbounded;
     }
@@ -304,7 +301,10 @@ private:
     std::vector<typename Samples::Place> result;
     if(points.empty())
       return result;
-    const Nearest_sample<Samples> nearest(m_samples, m_points);
+    std::vector<Eigen::Vector3d> of_surface;
+    for(size_type i = 0; i < m_samples.number_of_error_samples(); ++i)
+      of_surface.push_back(surface_point(i));
+    const Nearest_sample<Samples> nearest(m_samples, of_surface);
     for(const Point_3& point : points)
     {
       const Eigen::Vector3d p = to_eigen(point); // kept by the search
@@ -316,40 +316,46 @@ private:
   }
 
   // Samples are followed by the points of the mesh.
-  bool is_mesh_point(size_type i) const { return i >= m_points.size(); }
+  bool is_mesh_point(size_type i) const { return i >= m_samples.number_of_error_samples(); }
 
   Eigen::Vector3d mesh_point(size_type i) const
   {
-    return to_eigen(m_target.mesh_point(i - m_points.size()));
+    return to_eigen(m_target.mesh_point(i - m_samples.number_of_error_samples()));
+  }
+
+  size_type number_of_mesh_points() const
+  {
+    return m_is_parametric ? 0 : m_target.number_of_mesh_points();
   }
 
   Eigen::Vector3d measured_point(size_type i) const
   {
-    return is_mesh_point(i) ? mesh_point(i) : m_points[i];
+    return is_mesh_point(i) ? mesh_point(i) : surface_point(i);
+  }
+
+  // returns the point of the surface at a sample
+  Eigen::Vector3d surface_point(size_type i) const
+  {
+    const typename Samples::Place at = place(i);
+    return m_surface.is_extraordinary_patch(at.patch)
+             ? combined_control_points(at.patch, i - m_samples.first_error_sample(at.patch))
+             : m_patches.point(at.patch, at.u, at.v);
   }
 
   // what was known of patches before control points moved, one patch after the other
   struct Kept_patches
   {
     std::vector<size_type> patches;
-    typename Bezier_patches<Surface>::Elements elements;
-    std::vector<Eigen::Vector3d> points;
+    std::vector<typename Bezier_patches<Surface>::Elements> elements;
     std::vector<std::pair<double, char> > distances; // of samples and points of the mesh; are they bounds?
   };
 
   void keep(size_type patch)
   {
-    const auto& elements = m_patches.elements(patch);
     m_kept.patches.push_back(patch);
-    m_kept.elements.insert(m_kept.elements.end(), elements.begin(), elements.end());
-    m_kept.points.insert(m_kept.points.end(), first_point(patch), first_point(patch + 1));
+    m_kept.elements.push_back(m_patches.elements(patch));
     for_each_place(patch, [&](size_type i)
       { m_kept.distances.emplace_back(m_distances[i], m_is_bound[i]); });
-  }
-
-  std::vector<Eigen::Vector3d>::iterator first_point(size_type patch)
-  {
-    return m_points.begin() + std::ptrdiff_t(m_samples.first_error_sample(patch));
   }
 
   // visits the samples and the points of the mesh of a patch
@@ -369,7 +375,7 @@ private:
     if(m_is_bound[i])
     {
       m_distances[i] = is_mesh_point(i)
-        ? distance_to_surface(mesh_point(i), m_nearest[i - m_points.size()])
+        ? distance_to_surface(mesh_point(i), m_nearest[i - m_samples.number_of_error_samples()])
         : (std::max)(distance_to_target(i), distance_to_surface(target_point(i), i));
       m_is_bound[i] = false;
     }
@@ -379,16 +385,17 @@ private:
   double distance_to_target(size_type i) const
   {
     const typename Samples::Place at = place(i);
-    const Point_3 p = to_point(m_points[i]), start = to_point(target_point(i));
+    const Eigen::Vector3d point = surface_point(i);
+    const Point_3 p = to_point(point), start = to_point(target_point(i));
     size_type near_face = m_samples.near_face(i);
     const Point_3 foot
       = m_target.foot_point(p, at.quad, at.u, at.v, start, m_samples.mesh_face(i), near_face);
-    return (std::min)(m_distances[i], (to_eigen(foot) - m_points[i]).norm());
+    return (std::min)(m_distances[i], (to_eigen(foot) - point).norm());
   }
 
   std::vector<Patch_split> splits(const std::vector<size_type>& patches) const
   {
-    return Split_directions<Surface, Target>(m_surface, m_target, m_samples, m_points)(patches);
+    return Split_directions<Surface, Target>(m_surface, m_target, m_samples)(patches);
   }
 
   static Point_3 to_point(const Eigen::Vector3d& p)
@@ -409,29 +416,29 @@ private:
     std::vector<Eigen::Vector3d> points;
     m_upper_bounds[patch] = unbounded;
     m_patches.update(patch);
-    if(m_surface.is_extraordinary_patch(patch))
-      combine_control_points(patch, points);
-    else
+    if(!m_surface.is_extraordinary_patch(patch))
       m_patches.points(patch, 2 * grid.u, 2 * grid.v, points);
+    else
+      for(size_type k = 0; k < grid.number_of_error_samples(); ++k)
+        points.push_back(combined_control_points(patch, k));
     for(size_type i = first; i < m_samples.first_error_sample(patch + 1); ++i)
     {
-      m_points[i] = points[i - first];
-      const double parametric = (m_points[i] - target_point(i)).norm();
+      const double parametric = (points[i - first] - target_point(i)).norm();
       increase_bound(i, patch);
       m_distances[i] = m_is_parametric ? parametric : (std::min)(parametric, m_distances[i]);
       m_is_bound[i] = !m_is_parametric;
     }
   }
 
-  // computes the points of a patch with an extraordinary point at the error samples
-  void combine_control_points(size_type patch, std::vector<Eigen::Vector3d>& points) const
+  // returns the point of a patch with an extraordinary point at its error sample `k`
+  Eigen::Vector3d combined_control_points(size_type patch, size_type k) const
   {
-    const std::vector<double>& values = m_samples.error_values(patch);
     const size_type n = m_samples.number_of_functions(patch);
-    points.assign(values.size() / n, Eigen::Vector3d::Zero());
-    for(size_type k = 0; k < points.size(); ++k)
-      for(size_type i = 0; i < n; ++i)
-        points[k] += values[k * n + i] * m_control_points[m_samples.function(patch, i)];
+    const double* value = m_samples.error_values(patch).data() + k * n;
+    Eigen::Vector3d result(0, 0, 0);
+    for(size_type i = 0; i < n; ++i)
+      result += value[i] * m_control_points[m_samples.function(patch, i)];
+    return result;
   }
 
   // adds what the patch of a sample or a point of the mesh has moved
@@ -488,7 +495,6 @@ private:
         i < m_samples.first_error_sample(patch + 1); ++i)
     {
       const size_type old = previous_sample(i, previous);
-      m_points[i] = previous.m_points[old];
       m_distances[i] = previous.m_distances[old];
       m_is_bound[i] = previous.m_is_bound[old];
     }
@@ -499,7 +505,7 @@ private:
   {
     const Mesh_point_samples<Samples, Target> nearest(m_samples, m_target);
     m_nearest = previous == nullptr ? nearest() : nearest(previous->m_samples, previous->m_nearest);
-    const size_type n = m_points.size();
+    const size_type n = m_samples.number_of_error_samples();
     m_distances.resize(n + m_nearest.size(), 0);
     m_is_bound.resize(n + m_nearest.size(), false);
     m_first_mesh_points.assign(m_samples.number_of_patches() + 1, 0);
@@ -521,12 +527,13 @@ private:
 
   void bound_mesh_point(size_type v, const Interior_error* previous)
   {
-    const size_type i = m_nearest[v], k = m_points.size() + v, p = place(i).patch;
-    m_distances[k] = (mesh_point(k) - m_points[i]).norm();
+    const size_type i = m_nearest[v], p = place(i).patch;
+    const size_type k = m_samples.number_of_error_samples() + v;
+    m_distances[k] = (mesh_point(k) - surface_point(i)).norm();
     m_is_bound[k] = true;
     if(m_moves[p] == unbounded || previous->m_nearest[v] != previous_sample(i, *previous))
       return;
-    const size_type old = previous->m_points.size() + v;
+    const size_type old = previous->m_samples.number_of_error_samples() + v;
     m_distances[k] = (std::min)(m_distances[k], previous->m_distances[old] + m_moves[p]);
     m_is_bound[k] = m_moves[p] != 0 || previous->m_is_bound[old];
   }
@@ -542,7 +549,6 @@ private:
   const Samples& m_samples;
   bool m_is_parametric;
   Bezier_patches<Surface> m_patches;
-  std::vector<Eigen::Vector3d> m_points; // of the surface
   std::vector<Eigen::Vector3d> m_control_points;
   std::vector<double> m_distances; // at the samples, then of the points of the mesh
   std::vector<char> m_is_bound;    // are these upper bounds, or measured?
