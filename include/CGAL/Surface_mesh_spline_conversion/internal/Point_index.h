@@ -40,10 +40,16 @@ class Point_index
   typedef CGAL::Orthogonal_k_neighbor_search<Traits> Search;
 
 public:
+  typedef Kernel::Point_3 Point_3;
+
   explicit Point_index(const std::vector<Eigen::Vector3d>& points)
-    : m_points(converted(points)),
+    : Point_index(converted(points))
+  {}
+
+  explicit Point_index(std::vector<Point_3> points)
+    : m_points(std::move(points)),
       m_tree(boost::counting_iterator<std::size_t>(0),
-             boost::counting_iterator<std::size_t>(points.size()), typename Search::Splitter(),
+             boost::counting_iterator<std::size_t>(m_points.size()), typename Search::Splitter(),
              Traits(point_map()))
   {
     if(!m_points.empty())
@@ -61,7 +67,7 @@ public:
     if(m_points.empty())
       return std::vector<std::size_t>();
     const typename Search::Distance distance(point_map());
-    const Search search(m_tree, Kernel::Point_3(p.x(), p.y(), p.z()), k, 0, true, distance);
+    const Search search(m_tree, Point_3(p.x(), p.y(), p.z()), k, 0, true, distance);
     std::vector<std::pair<double, std::size_t> > order;
     for(const auto& neighbor : search)
       order.emplace_back(neighbor.second, neighbor.first);
@@ -75,16 +81,16 @@ public:
 private:
   Point_map point_map() const { return CGAL::make_property_map(m_points); }
 
-  static std::vector<Kernel::Point_3> converted(const std::vector<Eigen::Vector3d>& points)
+  static std::vector<Point_3> converted(const std::vector<Eigen::Vector3d>& points)
   {
-    std::vector<Kernel::Point_3> result;
+    std::vector<Point_3> result;
     result.reserve(points.size());
     for(const Eigen::Vector3d& p : points)
       result.emplace_back(p.x(), p.y(), p.z());
     return result;
   }
 
-  std::vector<Kernel::Point_3> m_points;
+  std::vector<Point_3> m_points;
   typename Search::Tree m_tree;
 };
 

@@ -97,14 +97,16 @@ private:
   static constexpr unsigned int NUMBER_OF_STARTS = 6;
 
   // the points of all samples, which numbers them
-  Points numbered_points()
+  std::vector<Point_index::Point_3> numbered_points()
   {
-    Points result;
+    m_first_samples.push_back(0);
     for(const auto& samples : m_samples)
-    {
-      m_first_samples.push_back(result.size());
-      result.insert(result.end(), samples->points.begin(), samples->points.end());
-    }
+      m_first_samples.push_back(m_first_samples.back() + samples->points.size());
+    std::vector<Point_index::Point_3> result;
+    result.reserve(m_first_samples.back());
+    for(const auto& samples : m_samples)
+      for(const Eigen::Vector3d& p : samples->points)
+        result.emplace_back(p.x(), p.y(), p.z());
     return result;
   }
 

@@ -18,17 +18,39 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_spline_conversion {
 namespace internal {
 
+// Rows, each of which is kept once: most knots are uniform, and most factors of functions occur
+// again and again.
+class Row_table
+{
+public:
+  const Row& operator[](std::size_t i) const { return m_rows[i]; }
+
+  // returns the number of a row
+  std::uint32_t insert(const Row& row)
+  {
+    const auto entry = m_numbers.emplace(row, std::uint32_t(m_rows.size()));
+    if(entry.second)
+      m_rows.push_back(row);
+    return entry.first->second;
+  }
+
+private:
+  std::vector<Row> m_rows;
+  std::map<Row, std::uint32_t> m_numbers;
+};
+
 // a basis function on a Bezier element: a product of two cubics, in Bernstein form
 struct Element_function
 {
-  std::size_t control_point;
-  Row u, v;
+  std::uint32_t control_point;
+  std::uint32_t u, v; // numbers of rows
 
   bool operator==(const Element_function& f) const
   {
@@ -50,6 +72,7 @@ struct Bezier_elements
   std::vector<Element_function> functions;
   std::vector<Regular_element> elements;
   std::vector<std::size_t> first_element; // of a face, one more than there are faces
+  Row_table rows; // a refinement adds to those there are
 
   // visits the functions of a face, element by element
   template <typename Visitor>
@@ -101,6 +124,7 @@ public:
     : m_mesh(mesh), m_old_mesh(old_mesh), m_old(old), m_search(mesh), m_rows(1 << bits_of_rows)
   {
     const std::size_t faces = mesh.mesh().num_faces();
+    m_result.rows = old.rows;
     m_functions_of_face.resize(faces);
     m_excluded.resize(faces);
     find_changes();
@@ -310,12 +334,12 @@ private:
   {
     Knots knots;
     std::int64_t begin = 0, end = 0; // an empty span is none
-    Row row;
+    std::uint32_t row = 0;
   };
 
-  // Most factors occur again and again, since most knots are uniform. The last one of those with
-  // the same hash value is kept.
-  const Row& row(const Knots& knots, std::int64_t begin, std::int64_t end)
+  // Returns the number of the row of a factor. The last one of those with the same hash value is
+  // remembered.
+  std::uint32_t row(const Knots& knots, std::int64_t begin, std::int64_t end)
   {
     constexpr std::uint64_t multiplier = 0x9e3779b97f4a7c15; // 2^64 divided by the golden ratio
     std::uint64_t hash = std::uint64_t(begin);
@@ -323,8 +347,8 @@ private:
       hash = multiplier * (hash ^ (hash >> 32)) + std::uint64_t(x);
     Span_row& result = m_rows[(multiplier * hash) >> (64 - bits_of_rows)];
     if(result.begin != begin || result.end != end || result.knots != knots)
-      result = Span_row{knots, begin, end,
-                        bezier_row(local_knots(knots), parameter(begin), parameter(end))};
+      result = Span_row{knots, begin, end, m_result.rows.insert(
+        bezier_row(local_knots(knots), parameter(begin), parameter(end)))};
     return result.row;
   }
 
@@ -345,7 +369,7 @@ private:
              && is_active(function.knots[1], v[j], v[j + 1]))
           {
             Element_function result;
-            result.control_point = function.vertex;
+            result.control_point = std::uint32_t(std::size_t(function.vertex));
             result.u = row(function.knots[0], u[i], u[i + 1]);
             result.v = row(function.knots[1], v[j], v[j + 1]);
             m_result.functions.push_back(result);

@@ -242,7 +242,8 @@ private:
     for(std::size_t i = e.first; i < e.last; ++i)
     {
       const Element_function& f = m_old_basis.function(i);
-      p = p + dot(wu, f.u) * dot(wv, f.v) * (old_point(f.control_point) - ORIGIN);
+      p = p + dot(wu, m_old_basis.factor_u(f)) * dot(wv, m_old_basis.factor_v(f))
+              * (old_point(f.control_point) - ORIGIN);
     }
     return p;
   }

@@ -112,6 +112,10 @@ public:
   const Regular_element& element(std::size_t i) const { return m_bezier.elements[i]; }
   const Element_function& function(std::size_t i) const { return m_bezier.functions[i]; }
 
+  // returns the factors of a function
+  const Row& factor_u(const Element_function& f) const { return m_bezier.rows[f.u]; }
+  const Row& factor_v(const Element_function& f) const { return m_bezier.rows[f.v]; }
+
   // calls `visit(control_point, values)` for the functions that do not vanish at the point (u, v)
   // of the quad; `values` are N, N_u, N_v, N_uu, N_uv, N_vv up to `order`
   template <typename Visitor>
@@ -210,19 +214,21 @@ private:
     for(std::size_t i = element.first; i < element.last; ++i)
     {
       const Element_function& f = m_bezier.functions[i];
+      const Row& u_factor = factor_u(f);
+      const Row& v_factor = factor_v(f);
       std::array<double, 6> value = {{0, 0, 0, 0, 0, 0}};
-      const double fu = dot(bu[0], f.u), fv = dot(bv[0], f.v);
+      const double fu = dot(bu[0], u_factor), fv = dot(bv[0], v_factor);
       value[0] = fu * fv;
       if(order > 0)
       {
-        const double gu = dot(bu[1], f.u), gv = dot(bv[1], f.v);
+        const double gu = dot(bu[1], u_factor), gv = dot(bv[1], v_factor);
         value[1] = gu * fv;
         value[2] = fu * gv;
         if(order > 1)
         {
-          value[3] = dot(bu[2], f.u) * fv;
+          value[3] = dot(bu[2], u_factor) * fv;
           value[4] = gu * gv;
-          value[5] = fu * dot(bv[2], f.v);
+          value[5] = fu * dot(bv[2], v_factor);
         }
       }
       visit(f.control_point, value);

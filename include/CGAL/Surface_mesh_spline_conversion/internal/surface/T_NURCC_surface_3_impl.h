@@ -265,10 +265,12 @@ void T_NURCC_surface_3<K>::add_functions(const Regular_element& e, const Rectang
   for(size_type f = e.first; f < e.last; ++f)
   {
     const auto& function = m_basis.function(f);
-    const internal::Row u = is_whole ? function.u
-      : internal::restricted(function.u, (r.u0 - e.u0) / du, (r.u1 - e.u0) / du);
-    const internal::Row v = is_whole ? function.v
-      : internal::restricted(function.v, (r.v0 - e.v0) / dv, (r.v1 - e.v0) / dv);
+    internal::Row u = m_basis.factor_u(function), v = m_basis.factor_v(function);
+    if(!is_whole)
+    {
+      u = internal::restricted(u, (r.u0 - e.u0) / du, (r.u1 - e.u0) / du);
+      v = internal::restricted(v, (r.v0 - e.v0) / dv, (r.v1 - e.v0) / dv);
+    }
     const Vector_3 p = control_point(function.control_point) - ORIGIN;
     for(int j = 0; j < 4; ++j)
       for(int k = 0; k < 4; ++k)
@@ -524,7 +526,8 @@ T_NURCC_surface_3<K>::function_coefficient(size_type i, int corner, double size,
   for(size_type f = e.first; f < e.last; ++f)
   {
     const auto& function = m_basis.function(f);
-    sum = sum + FT(internal::dot(weights[0], function.u) * internal::dot(weights[1], function.v))
+    sum = sum + FT(internal::dot(weights[0], m_basis.factor_u(function))
+                   * internal::dot(weights[1], m_basis.factor_v(function)))
                 * (control_point(function.control_point) - ORIGIN);
   }
   return sum;
@@ -555,7 +558,8 @@ bool T_NURCC_surface_3<K>::is_regular_basis(size_type i) const
     {
       double sum = 0;
       for(size_type f = element.first; f < element.last; ++f)
-        sum += m_basis.function(f).u[k & 3] * m_basis.function(f).v[k >> 2];
+        sum += m_basis.factor_u(m_basis.function(f))[k & 3]
+               * m_basis.factor_v(m_basis.function(f))[k >> 2];
       if(std::abs(sum - 1) > tolerance_of_sums)
         return false;
     }

@@ -71,6 +71,7 @@ void T_NURCC_surface_3<K>::basis_on_grid(size_type i, size_type nu, size_type nv
                                          std::vector<size_type>& control_points,
                                          std::vector<double>& values) const
 {
+  using Surface_mesh_spline_conversion::internal::Row;
   using Surface_mesh_spline_conversion::internal::dot;
   CGAL_precondition(!is_extraordinary_patch(i));
   const Patch& patch = m_basis.patch(i);
@@ -95,10 +96,11 @@ void T_NURCC_surface_3<K>::basis_on_grid(size_type i, size_type nu, size_type nv
     for(const auto& row : bernstein_on_grid(patch.v1 - patch.v0, nv, element.v0, element.v1))
       for(size_type f = element.first; f < element.last; ++f)
       {
-        const double value = dot(row.second, m_basis.function(f).v);
+        const Row& factor_u = m_basis.factor_u(m_basis.function(f));
+        const double value = dot(row.second, m_basis.factor_v(m_basis.function(f)));
         for(const auto& column : columns)
           values[(row.first * (nu + 1) + column.first) * n + numbers[f - first]]
-            += value * dot(column.second, m_basis.function(f).u);
+            += value * dot(column.second, factor_u);
       }
   }
 }
