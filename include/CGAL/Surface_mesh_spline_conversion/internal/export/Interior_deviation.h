@@ -196,8 +196,8 @@ private:
     const int nu = number_of_intervals(length(piece, 0)), nv = number_of_intervals(length(piece, 1));
     part.intervals = {{nu, nv}};
     const std::size_t n = std::size_t((nu + 1) * (nv + 1) + nu * nv);
-    part.samples.reserve(n);
     part.points.reserve(n);
+    part.triangles.reserve(n);
     part.deviations.reserve(n);
     for(int b = 0; b <= 2 * nv; ++b)
       for(int a = b & 1; a <= 2 * nu; a += 2)
@@ -207,12 +207,12 @@ private:
   void add_sample(const Bezier_piece& piece, double u, double v, bool is_center,
                   Piece_samples& part) const
   {
-    Piece_sample sample{u, v, part.samples.empty() ? 0 : part.samples.back().triangle};
+    std::size_t triangle = part.triangles.empty() ? 0 : part.triangles.back();
     const auto d = is_center ? piece.point_and_tangents(u, v)
                              : Bezier_piece::Point_and_tangents{{piece.point(u, v)}};
-    const Mesh_distance::Foot foot = m_mesh.foot(d[0], sample.triangle);
-    part.samples.push_back(sample);
+    const Mesh_distance::Foot foot = m_mesh.foot(d[0], triangle);
     part.points.push_back(d[0]);
+    part.triangles.push_back(std::uint32_t(triangle));
     part.deviations.push_back(m_mesh.excess(d[0], foot.distance, m_band));
     if(is_center)
       part.facing += (d[1].cross(d[2]).dot(foot.normal) >= 0) ? 1 : -1;
@@ -268,7 +268,7 @@ private:
 
   static Climber climber_at(std::size_t piece, const Piece_samples& part, std::size_t k)
   {
-    return Climber{piece, part.samples[k], {part.deviations[k], part.points[k]}};
+    return Climber{piece, part.sample(k), {part.deviations[k], part.points[k]}};
   }
 
   // returns the largest samples of the few pieces with the largest ones, but for those where climbs

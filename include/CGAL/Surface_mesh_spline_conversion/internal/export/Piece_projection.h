@@ -137,7 +137,7 @@ private:
   void improve(const Eigen::Vector3d& p, std::size_t piece, std::size_t sample,
                Piece_foot& foot) const
   {
-    const Piece_sample& start = m_samples[piece]->samples[sample];
+    const Piece_sample start = m_samples[piece]->sample(sample);
     Piece_foot next{piece, start.u, start.v, 0};
     next.distance = project_to_piece(m_pieces[piece], p, next.u, next.v);
     if(next.distance < foot.distance)

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -43,11 +44,21 @@ struct Summit
 struct Piece_samples
 {
   std::array<int, 2> intervals; ///< between nodes along `u` and `v`
-  std::vector<Piece_sample> samples;
   std::vector<Eigen::Vector3d> points;
+  std::vector<std::uint32_t> triangles; ///< of the mesh, the closest ones
   std::vector<double> deviations;
   std::vector<Summit> summits; ///< that were reached from samples
   long facing = 0; ///< samples that look like the mesh minus those that look against it
+
+  /// returns a sample
+  Piece_sample sample(std::size_t k) const
+  {
+    const std::size_t n = std::size_t(intervals[0]), row = k / (2 * n + 1), i = k % (2 * n + 1);
+    const bool is_center = i > n;
+    const std::size_t column = is_center ? 2 * (i - n) - 1 : 2 * i;
+    return Piece_sample{double(column) / (2. * intervals[0]),
+                        double(2 * row + is_center) / (2. * intervals[1]), triangles[k]};
+  }
 
   /// returns the index of the sample with the largest deviation
   std::size_t largest() const
