@@ -143,7 +143,9 @@ public:
       code = replace_inverted_quads();
     if(code == Error_code::OK)
       code = collapse_chords();
-    return code == Error_code::OK && is_crowded ? join_singularities() : code;
+    if(code != Error_code::OK)
+      return code;
+    return is_crowded ? join_singularities_and_collapse_quads() : collapse_quads();
   }
 
 private:
@@ -308,6 +310,58 @@ private:
     return code;
   }
 
+  // on the map with joined singularities, and then on that without
+  Error_code join_singularities_and_collapse_quads()
+  {
+    const Integer_grid_map map = m_map;
+    const Field_attempt attempt = m_attempt;
+    Error_code code = join_singularities();
+    const bool is_other_map = m_attempt.joining_distance > 0;
+    if(code == Error_code::OK)
+      code = collapse_quads();
+    if(code != Error_code::OK || !is_other_map)
+      return code;
+    m_map = map;
+    m_attempt = attempt;
+    return collapse_quads();
+  }
+
+  // Where chords do not suffice, single quads collapse as well, from the quads of the map on. Which
+  // ones these are depends on the number of rounds: some numbers are tried until there are few
+  // enough quads.
+  Error_code collapse_quads()
+  {
+    const double share_of_collapses = 0.5;
+    m_collapses = m_spare.share(share_of_collapses);
+    Error_code code = Error_code::OK;
+    for(const int rounds : {3, 4, 2, 1})
+      if(code == Error_code::OK && !m_collapses.is_used_up()
+         && double(m_layout.number_of_quads()) > sufficient_number_of_quads())
+        code = collapse_quads_in_rounds(rounds);
+    return code;
+  }
+
+  // Replaces the layout if there are fewer quads then, none of them intolerable.
+  Error_code collapse_quads_in_rounds(int rounds)
+  {
+    const Quad_layout<GeomTraits> layout = m_layout;
+    Error_code code = find_quads(m_map, m_quads);
+    if(code != Error_code::OK)
+      return code;
+    const std::vector<Collapse_sequence::Move> moves = m_quads.collapse_in_rounds(
+      m_map, rounds, sufficient_number_of_quads(), m_collapses);
+    if(moves.empty() || std::size_t(number_of_quads()) >= layout.number_of_quads())
+      return Error_code::OK;
+    const auto faces = mesh_face_corners();
+    const Quad_limits limits = quad_limits(faces);
+    code = extract_layout();
+    if(code == Error_code::OK && are_tolerable(faces, limits))
+      describe_collapse(moves);
+    else
+      m_layout = layout;
+    return code;
+  }
+
   // of half of the wanted size; below fifty, fewer quads are worth less than better shapes, and so
   // they are if more are wanted
   double sufficient_number_of_quads() const
@@ -340,22 +394,23 @@ private:
   {
     is_better = false;
     const Mapped_quads quads = m_quads;
-    std::vector<Chord_sequence::Step> steps
-      = quads.find_chords(m_map, sufficient_number_of_quads(), m_collapses);
-    if(steps.empty())
+    std::vector<Collapse_sequence::Move> moves
+      = quads.find_collapses(m_map, Collapse_sequence::Parts::CHORDS,
+                             sufficient_number_of_quads(), m_collapses);
+    if(moves.empty())
       return Error_code::OK;
     const auto faces = mesh_face_corners();
     const Quad_limits limits = quad_limits(faces);
-    for(; !steps.empty() && !m_collapses.is_used_up()
-          && std::size_t(steps.back().number_of_quads) < number; steps.resize(steps.size() / 2))
+    for(; !moves.empty() && !m_collapses.is_used_up()
+          && std::size_t(moves.back().number_of_quads) < number; moves.resize(moves.size() / 2))
     {
       m_quads = quads;
-      if(!m_quads.collapse_chords(m_map, steps, m_collapses))
+      if(!m_quads.collapse(m_map, moves, m_collapses))
         continue;
       const Error_code code = extract_layout();
       is_better = code == Error_code::OK && are_tolerable(faces, limits);
       if(is_better)
-        describe_collapse(steps.size());
+        describe_collapse(moves);
       if(is_better || code != Error_code::OK)
         return code;
     }
@@ -384,11 +439,15 @@ private:
     return shape > 0 && shape >= limits.shape && lost_area(m_layout, faces) <= limits.lost_area;
   }
 
-  void describe_collapse(std::size_t number_of_chords)
+  void describe_collapse(const std::vector<Collapse_sequence::Move>& moves)
   {
+    int chords = 0, quads = 0;
+    for(const Collapse_sequence::Move& move : moves)
+      ++(move.steps.front().kind == Collapse_step::Kind::CHORD ? chords : quads);
     std::string& text = m_report.map.fallback;
-    text = (text == "none" ? "" : text + "; ") + "chords collapsed: "
-           + std::to_string(number_of_chords);
+    text = describe(m_attempt, m_map);
+    text = (text == "none" ? "" : text + "; ") + "chords collapsed: " + std::to_string(chords)
+           + (quads > 0 ? ", quads: " + std::to_string(quads) : "");
   }
 
   std::vector<std::array<Eigen::Vector3d, 3> > mesh_face_corners() const
