@@ -101,8 +101,9 @@ public:
   }
 
   // Collapses parts of the layout in rounds, each of which leaves the same share of the quads,
-  // until there are not more than `enough`. After each round, the quads find their shapes, which the
-  // choices of the next one depend on. Returns what has collapsed, nothing if there is no map then.
+  // until there are not more than `enough`. After each round, the quads find their shapes, which
+  // the choices of the next one depend on. Returns what has collapsed, nothing if there is no map
+  // then.
   // \pre there are no motions yet
   std::vector<Collapse_sequence::Move> collapse_in_rounds(const Integer_grid_map& igm, int rounds,
                                                           double enough,
