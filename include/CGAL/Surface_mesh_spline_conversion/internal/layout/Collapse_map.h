@@ -12,8 +12,8 @@
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
 #include <CGAL/Surface_mesh_spline_conversion/internal/field/Face_geometry.h>
-#include <CGAL/Surface_mesh_spline_conversion/internal/layout/Chord_collapse.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/layout/Place_cell.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/layout/Quad_collapse.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/layout/Quad_grid.h>
 
 #include <Eigen/Core>
@@ -30,11 +30,11 @@ namespace CGAL {
 namespace Surface_mesh_spline_conversion {
 namespace internal {
 
-// A homeomorphism from the quads that are left by a collapse to those before. The middle lines of
-// the chords that are left are the same ones, and divide the surface into a cell around each
-// vertex: a disk. Each cell is laid flat by a harmonic map to a convex polygon, in which the
-// quarters of the new quads are the parts between the center, the middles of two sides, and the
-// corner between these.
+// A homeomorphism from the quads that are left by a collapse to those before. Lines between the
+// middles of neighbours that are left cross the quads that are not, and divide the surface into a
+// cell around each vertex: a disk. Each cell is laid flat by a harmonic map to a convex polygon, in
+// which the quarters of the new quads are the parts between the center, the middles of two sides,
+// and the corner between these.
 class Collapse_map
 {
 public:
@@ -44,15 +44,16 @@ public:
 
   Collapse_map() {}
 
-  // `chords`: those of `before`. `locate`: the point of the surface
-  Collapse_map(const Quad_grid& before, const Chord_collapse& chords,
-               const Collapsed_quads& collapsed, const Locate& locate)
-    : m_before(&before), m_collapsed(&collapsed), m_chords(&chords), m_locate(&locate),
-      m_kites(collapsed.original.size())
+  // `collapsed`: `before` after the collapses of `pattern`. `locate`: the point of the surface
+  Collapse_map(const Quad_grid& before, const Quad_collapse& collapse,
+               const Collapse_pattern& pattern, const Collapsed_quads& collapsed,
+               const Locate& locate)
+    : m_before(&before), m_collapse(&collapse), m_pattern(&pattern), m_collapsed(&collapsed),
+      m_locate(&locate), m_kites(collapsed.original.size())
   {
     lay_lines();
     lay_boundary();
-    collect_quarters();
+    collect_parts();
     for(int v = 0; v < collapsed.quads.number_of_vertices() && m_is_valid; ++v)
       m_is_valid = add_cell(v);
     forget_construction();
@@ -117,15 +118,11 @@ private:
         Side side(m_collapsed->original[k], i);
         for(int j = 0; j <= half; ++j)
           line.push_back(place_near_side(side.first, side.second, 0.5, 0.5 - j / (2. * half)));
-        Side next = m_before->neighbors[side.first][i];
-        const Side end = original(quads.neighbors[k][i]);
-        while(next.first != Quad_grid::border && next != end)
+        const Side next = m_pattern->beyond(side, [&](const Side& from, const Side& to)
         {
-          for(int j = 1; j <= 2 * half; ++j)
-            line.push_back(place_near_side(next.first, next.second, 0.5, j / (2. * half)));
-          side = Side(next.first, (next.second + 2) & 3);
-          next = m_before->neighbors[side.first][side.second];
-        }
+          cross(from, to, line);
+          side = to;
+        });
         if(next.first == Quad_grid::border)
           m_middle[Side(k, i)] = side;
         else
@@ -135,10 +132,18 @@ private:
       }
   }
 
-  Side original(const Side& side) const
+  // Appends the line between the middles of two sides of a quad.
+  static void cross(const Side& from, const Side& to, std::vector<Place>& line)
   {
-    return side.first == Quad_grid::border ? side
-                                           : Side(m_collapsed->original[side.first], side.second);
+    const Place first = place_on_side(from.first, from.second, 0.5);
+    const Place last = place_on_side(to.first, to.second, 0.5);
+    const int steps = ((from.second - to.second) & 1) == 0 ? 2 * half : half;
+    for(int j = 1; j <= steps; ++j)
+    {
+      const double t = j / double(steps);
+      line.push_back(Place{from.first, (1 - t) * first.u + t * last.u,
+                           (1 - t) * first.v + t * last.v});
+    }
   }
 
   void set_shares(const std::vector<Place>& line,
@@ -159,7 +164,7 @@ private:
       const Side& side = entry.first;
       const auto& vertices = m_collapsed->quads.vertices[side.first];
       const std::vector<Side> sides
-        = m_chords->sides_between(m_collapsed->anchor[vertices[side.second]],
+        = m_collapse->sides_between(m_collapsed->anchor[vertices[side.second]],
                                   m_collapsed->anchor[vertices[(side.second + 1) & 3]]);
       std::vector<double> positions(1, 0);
       double middle = 0;
@@ -191,21 +196,24 @@ private:
     }
   }
 
-  // the quarters of the quads before, by the vertices after the collapse
-  void collect_quarters()
+  // the parts at the corners of the quads before, by the vertices after the collapse
+  void collect_parts()
   {
     const Quad_grid& quads = m_collapsed->quads;
-    m_quarters.resize(quads.number_of_vertices());
+    m_parts.resize(quads.number_of_vertices());
     for(int q = 0; q < m_before->number_of_quads(); ++q)
       for(int i = 0; i < 4; ++i)
-        m_quarters[m_collapsed->vertex_of[m_before->vertices[q][i]]].push_back(Side(q, i));
+        m_parts[m_collapsed->vertex_of[m_before->vertices[q][i]]].push_back(Side(q, i));
   }
 
   bool add_cell(int v)
   {
     Place_cell cell;
-    for(const Side& quarter : m_quarters[v])
-      cell.add_quarter(*m_before, quarter, *m_locate);
+    for(const Side& corner : m_parts[v])
+      if(const int diagonal = m_pattern->diagonal(corner.first); diagonal < 0)
+        cell.add_quarter(*m_before, corner, *m_locate);
+      else
+        cell.add_part(*m_before, corner, diagonal, *m_locate);
     lay_polygon(v, cell);
     const bool is_flat = cell.lay_flat();
     m_cells.push_back(std::move(cell));
@@ -294,12 +302,13 @@ private:
   void forget_construction()
   {
     m_before = nullptr;
+    m_collapse = nullptr;
+    m_pattern = nullptr;
     m_collapsed = nullptr;
-    m_chords = nullptr;
     m_locate = nullptr;
     m_lines.clear();
     m_middle.clear();
-    m_quarters.clear();
+    m_parts.clear();
   }
 
   bool m_is_valid = true;
@@ -307,13 +316,14 @@ private:
   std::map<Side, Border_side> m_border;      // by side of the new quads
   // during construction only
   const Quad_grid* m_before = nullptr;
+  const Quad_collapse* m_collapse = nullptr;
+  const Collapse_pattern* m_pattern = nullptr;
   const Collapsed_quads* m_collapsed = nullptr;
-  const Chord_collapse* m_chords = nullptr;
   const Locate* m_locate = nullptr;
   std::map<Side, std::vector<std::pair<Place, double> > > m_lines; // by side of the new quads
   std::map<Side, Side> m_middle;             // by border side: the one before, in whose middle that
                                              // of the new one lies
-  std::vector<std::vector<Side> > m_quarters; // per new vertex: quads before and their corners
+  std::vector<std::vector<Side> > m_parts; // per new vertex: corners of quads before
   std::vector<std::array<Kite, 4> > m_kites; // per new quad
 };
 

@@ -13,11 +13,11 @@
 
 #include <CGAL/Surface_mesh_spline_conversion/Integer_grid_map.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/layout/Boundary_positions.h>
-#include <CGAL/Surface_mesh_spline_conversion/internal/layout/Chord_collapse.h>
-#include <CGAL/Surface_mesh_spline_conversion/internal/layout/Chord_sequence.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/layout/Collapse_map.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/layout/Collapse_sequence.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/layout/Disk_smoothing.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/layout/Integer_grid_cells.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/layout/Quad_collapse.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/layout/Quad_grid.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/layout/Quad_grid_check.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/layout/Quad_relaxation.h>
@@ -27,6 +27,7 @@
 
 #include <Eigen/Core>
 
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -46,7 +47,6 @@ public:
   const char* build(const Integer_grid_map& igm)
   {
     m_quads = Quad_grid();
-    m_uncollapsed.reset();
     m_relaxations.clear();
     m_locator = Triangle_locator();
     m_places.clear();
@@ -62,37 +62,68 @@ public:
     return Quad_grid_check(igm.map, positions, m_quads).run();
   }
 
-  // Finds chords of the layout to be collapsed one after the other, until there are not more than
-  // `enough` quads, or none is left that can be collapsed.
-  std::vector<Chord_sequence::Step> find_chords(const Integer_grid_map& igm, double enough,
-                                                const Work_budget& budget) const
+  // Finds chords and quads of the layout to be collapsed one after the other, until there are not
+  // more than `enough` quads, or nothing is left that can be collapsed.
+  std::vector<Collapse_sequence::Move> find_collapses(const Integer_grid_map& igm,
+                                                      Collapse_sequence::Parts parts,
+                                                      double enough,
+                                                      const Work_budget& budget) const
   {
-    return Chord_sequence(m_quads, corners(igm), point(igm)).find(enough, budget);
+    return Collapse_sequence(m_quads, corners(igm), point(igm), parts).find(enough, budget);
   }
 
-  // Collapses chords of the layout, after the first motions of `smooth()`; `false` if there is no
+  // Collapses parts of the layout, after the first motions of `smooth()`; `false` if there is no
   // map then. \pre there are no motions yet
-  bool collapse_chords(const Integer_grid_map& igm, const std::vector<Chord_sequence::Step>& steps,
-                       const Work_budget& budget)
+  bool collapse(const Integer_grid_map& igm, const std::vector<Collapse_sequence::Move>& moves,
+                const Work_budget& budget)
   {
     const double work_per_quad = 700; // including a judgement of the layout
     budget.spend(work_per_quad * m_quads.number_of_quads());
-    smooth_in_disks(igm, budget);
-    const Chord_collapse chords(m_quads, corners(igm));
-    std::vector<char> is_in_set(chords.number_of_chords(), 0);
-    for(const Chord_sequence::Step& step : steps)
-      is_in_set[step.chord] = 1;
-    std::optional<Collapsed_quads> collapsed = chords.collapse(is_in_set);
+    if(m_relaxations.empty())
+      smooth_in_disks(igm, budget);
+    const Quad_collapse collapse(m_quads, corners(igm));
+    Collapse_pattern pattern(m_quads);
+    for(const Collapse_sequence::Move& move : moves)
+      for(const Collapse_step& step : move.steps)
+        pattern.apply(step);
+    std::optional<Collapsed_quads> collapsed = collapse.collapse(pattern);
     if(!collapsed)
       return false;
-    const auto map = std::make_shared<Collapse_map>(m_quads, chords, *collapsed, point(igm));
+    const auto map
+      = std::make_shared<Collapse_map>(m_quads, collapse, pattern, *collapsed, point(igm));
     if(!map->is_valid())
       return false;
-    m_uncollapsed = std::move(m_quads);
+    m_relaxations.push_back(Relaxation{[map](const Quad_grid::Place& p) { return (*map)(p); },
+                                       std::make_shared<const Quad_grid>(std::move(m_quads))});
     m_quads = std::move(collapsed->quads);
-    m_relaxations.push_back([map](const Quad_grid::Place& p) { return (*map)(p); });
     relax(igm);
     return true;
+  }
+
+  // Collapses parts of the layout in rounds, each of which leaves the same share of the quads,
+  // until there are not more than `enough`. After each round, the quads find their shapes, which
+  // the choices of the next one depend on. Returns what has collapsed, nothing if there is no map
+  // then.
+  // \pre there are no motions yet
+  std::vector<Collapse_sequence::Move> collapse_in_rounds(const Integer_grid_map& igm, int rounds,
+                                                          double enough,
+                                                          const Work_budget& budget)
+  {
+    std::vector<Collapse_sequence::Move> all;
+    const double number = m_quads.number_of_quads();
+    for(int i = 1; i <= rounds; ++i)
+    {
+      const double target
+        = i == rounds ? enough : number * std::pow(enough / number, i / double(rounds));
+      const std::vector<Collapse_sequence::Move> moves
+        = find_collapses(igm, Collapse_sequence::Parts::CHORDS_AND_QUADS, target, budget);
+      if(moves.empty())
+        continue;
+      if(!collapse(igm, moves, budget))
+        return {};
+      all.insert(all.end(), moves.begin(), moves.end());
+    }
+    return all;
   }
 
   // Moves the corners of badly shaped quads and their neighbours, where this makes them better.
@@ -101,7 +132,7 @@ public:
               Vertex_smoothing::Priority priority, const Work_budget& budget)
   {
     const double share_of_disks = 0.5;
-    if(!m_uncollapsed)
+    if(m_relaxations.empty())
       smooth_in_disks(igm, budget.share(share_of_disks));
     m_vertex_smoothing
       = Vertex_smoothing(igm.map, m_quads, image, [this](int quad, double u, double v)
@@ -118,6 +149,13 @@ public:
   }
 
 private:
+  // a map from places in the quads to those in quads before
+  struct Relaxation
+  {
+    std::function<Quad_grid::Place(const Quad_grid::Place&)> place;
+    std::shared_ptr<const Quad_grid> quads; // before
+  };
+
   void smooth_in_disks(const Integer_grid_map& igm, const Work_budget& budget)
   {
     m_disk_smoothing = Disk_smoothing(igm.map, m_quads, [this](int quad, double u, double v)
@@ -131,13 +169,17 @@ private:
     const auto inside = std::make_shared<Quad_relaxation>(m_quads, point(igm));
     if(!inside->is_valid())
       return;
-    m_relaxations.push_back([inside](const Quad_grid::Place& p) { return (*inside)(p); });
-    const Chord_collapse chords(m_quads, corners(igm));
-    const std::optional<Collapsed_quads> all
-      = chords.collapse(std::vector<char>(chords.number_of_chords(), 0));
-    const auto around = std::make_shared<Collapse_map>(m_quads, chords, *all, point(igm));
+    const auto quads = std::make_shared<const Quad_grid>(m_quads);
+    m_relaxations.push_back(Relaxation{[inside](const Quad_grid::Place& p)
+                                       { return (*inside)(p); }, quads});
+    const Quad_collapse collapse(m_quads, corners(igm));
+    const Collapse_pattern none(m_quads);
+    const std::optional<Collapsed_quads> all = collapse.collapse(none);
+    const auto around
+      = std::make_shared<Collapse_map>(m_quads, collapse, none, *all, point(igm));
     if(around->is_valid())
-      m_relaxations.push_back([around](const Quad_grid::Place& p) { return (*around)(p); });
+      m_relaxations.push_back(Relaxation{[around](const Quad_grid::Place& p)
+                                         { return (*around)(p); }, quads});
   }
 
   std::vector<char> corners(const Integer_grid_map& igm) const
@@ -160,7 +202,7 @@ private:
     Quad_grid::Place p
       = m_quads.representative(Quad_grid::Place{static_cast<int>(quad), u, v});
     for(std::size_t i = m_relaxations.size(); i-- > 0;)
-      p = (i > 0 ? m_quads : *m_uncollapsed).representative(m_relaxations[i](p));
+      p = m_relaxations[i].quads->representative(m_relaxations[i].place(p));
     if(m_places.empty())
       return m_locator(p.quad, p.u, p.v);
     const Rectangle_composition::Quad_place& place = m_places[p.quad];
@@ -187,9 +229,7 @@ private:
   }
 
   Quad_grid m_quads;
-  std::optional<Quad_grid> m_uncollapsed;                  // those before chords were collapsed
-  // after the collapse, from places in the quads to those before
-  std::vector<std::function<Quad_grid::Place(const Quad_grid::Place&)> > m_relaxations;
+  std::vector<Relaxation> m_relaxations;                   // the first of them is a collapse
   Triangle_locator m_locator;
   std::vector<Rectangle_composition::Quad_place> m_places; // per quad, empty for integer grid maps
   std::vector<Rectangle_shears> m_shears;                  // per rectangle

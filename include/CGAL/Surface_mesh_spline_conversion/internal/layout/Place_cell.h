@@ -62,7 +62,7 @@ inline Quad_grid::Place place_on_side(int quad, int i, double t)
   return place_near_side(quad, i, t, 0);
 }
 
-// A disk of quarters of quads, which are divided into triangles, laid flat behind a convex boundary
+// A disk of parts of quads, which are divided into triangles, laid flat behind a convex boundary
 // by a harmonic map. Gives the place in the quads for a point of the plane.
 class Place_cell
 {
@@ -85,6 +85,34 @@ public:
       {
         add_triangle(quads, {{place(i, j), place(i + 1, j), place(i + 1, j + 1)}}, locate);
         add_triangle(quads, {{place(i, j), place(i + 1, j + 1), place(i, j + 1)}}, locate);
+      }
+  }
+
+  // Adds the part at a corner of a quad that lines between the middles of adjacent sides divide
+  // into three: those at two opposite corners, and that with the diagonal between the others.
+  // `diagonal`: the first of its ends, which counts for both.
+  void add_part(const Quad_grid& quads, const Quad_grid::Side& corner, int diagonal,
+                const Locate& locate)
+  {
+    const int part = ((corner.second - diagonal) & 1) == 0 ? 0
+                     : corner.second == diagonal + 1       ? 1 : -1;
+    if(part == 0 && corner.second != diagonal)
+      return;
+    // with the diagonal from the first corner
+    const auto place = [&](int i, int j)
+    {
+      const double x = i / (2. * half), y = j / (2. * half);
+      return diagonal == 0 ? Place{corner.first, x, y} : Place{corner.first, 1 - y, x};
+    };
+    for(int j = 0; j < 2 * half; ++j)
+      for(int i = 0; i < 2 * half; ++i)
+      {
+        const int below = i - j >= half ? 1 : j - i > half ? -1 : 0;
+        const int above = i - j > half ? 1 : j - i >= half ? -1 : 0;
+        if(below == part)
+          add_triangle(quads, {{place(i, j), place(i + 1, j), place(i + 1, j + 1)}}, locate);
+        if(above == part)
+          add_triangle(quads, {{place(i, j), place(i + 1, j + 1), place(i, j + 1)}}, locate);
       }
   }
 

@@ -6,11 +6,12 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-#ifndef CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_LAYOUT_CHORD_COLLAPSE_H
-#define CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_LAYOUT_CHORD_COLLAPSE_H
+#ifndef CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_LAYOUT_QUAD_COLLAPSE_H
+#define CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_LAYOUT_QUAD_COLLAPSE_H
 
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
+#include <CGAL/Surface_mesh_spline_conversion/internal/layout/Collapse_pattern.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/layout/Quad_grid.h>
 
 #include <algorithm>
@@ -27,8 +28,7 @@ namespace CGAL {
 namespace Surface_mesh_spline_conversion {
 namespace internal {
 
-// Fewer quads, from a layout some of whose chords have been collapsed. A chord is a strip of quads
-// that share opposite sides; the sides between them shrink to a vertex each.
+// Fewer quads, from a layout some of whose chords or quads have been collapsed.
 struct Collapsed_quads
 {
   Quad_grid quads;
@@ -39,43 +39,57 @@ struct Collapsed_quads
                                             // it lies at
 };
 
-// Finds out which chords of a layout can be collapsed such that the topology of the surface, the
-// corners, and what the stages after the map need are kept.
-class Chord_collapse
+// Finds out which chords and quads of a layout can be collapsed such that the topology of the
+// surface, the corners, and what the stages after the map need are kept.
+class Quad_collapse
 {
 public:
   typedef Quad_grid::Side Side;
 
-  // the chords through sides 0 and 2, and through sides 1 and 3 of a quad
-  typedef std::array<int, 2> Chords_of_quad;
+  // inside
+  static constexpr int most_quads_at_vertex = 8;
 
   // `is_corner`: per vertex, not to be moved along the boundary
-  Chord_collapse(const Quad_grid& quads, const std::vector<char>& is_corner) : m_quads(quads)
+  Quad_collapse(const Quad_grid& quads, const std::vector<char>& is_corner) : m_quads(quads)
   {
-    number_chords();
     find_boundary(is_corner);
   }
 
-  int number_of_chords() const { return m_number_of_chords; }
+  // The quads that are left by a pattern of collapses; nothing if this is not admissible. Sides and
+  // diagonals that become a vertex have to be a tree, together with what becomes a vertex between
+  // them, that meets the boundary in one piece with at most one corner. At the boundary, as many
+  // quads stay at each vertex as before; inside, there are three to eight. Each quad has four
+  // vertices. No loop has less than four sides, as those of integer grid maps.
+  std::optional<Collapsed_quads> collapse(const Collapse_pattern& pattern,
+                                          int most_bad_quads = 0) const
+  {
+    std::optional<Collapsed_quads> result = collapse_for_now(pattern);
+    if(result && (number_of_bad_quads(result->quads) > most_bad_quads
+                  || !has_good_valences(*result) || !set_borders(*result)))
+      result.reset();
+    return result;
+  }
 
-  const Chords_of_quad& chords(int quad) const { return m_chords[quad]; }
-
-  // The quads that are left when the chords of a set are collapsed; nothing if this is not
-  // admissible. Sides that become a vertex have to be a tree, together with quads whose chords are
-  // both in the set, that meets the boundary in one piece with at most one corner. At the boundary,
-  // as many quads stay at each vertex as before; inside, there are three to eight. Each quad has
-  // four vertices. No loop has less than four sides, as those of integer grid maps.
-  std::optional<Collapsed_quads> collapse(const std::vector<char>& is_in_set) const
+  // the same without what may be made good by further collapses: the numbers of quads at vertices,
+  // and of sides of loops; there are no pieces of the boundary yet
+  std::optional<Collapsed_quads> collapse_for_now(const Collapse_pattern& pattern) const
   {
     Collapsed_quads result;
-    const std::vector<int> group = vertex_groups(is_in_set);
-    if(!are_trees(group, is_in_set) || !make_quads(is_in_set, result)
-       || !result.quads.number_vertices() || !place_vertices(group, is_in_set, result)
-       || result.quads.euler_characteristic() != m_quads.euler_characteristic()
-       || !has_good_quads(result.quads) || !has_good_valences(result)
-       || !set_borders(result))
+    const std::vector<int> group = vertex_groups(pattern);
+    if(!are_trees(group, pattern) || !make_quads(pattern, result)
+       || !result.quads.number_vertices() || !place_vertices(group, pattern, result)
+       || result.quads.euler_characteristic() != m_quads.euler_characteristic())
       return std::nullopt;
     return result;
+  }
+
+  // those without four different vertices
+  static int number_of_bad_quads(const Quad_grid& quads)
+  {
+    int number = 0;
+    for(const auto& vertices : quads.vertices)
+      number += std::set<int>(vertices.begin(), vertices.end()).size() < 4 ? 1 : 0;
+    return number;
   }
 
   // the border sides from a vertex of the boundary to another one
@@ -92,40 +106,11 @@ public:
   }
 
 private:
-  static constexpr int most_quads_at_vertex = 8;
   static constexpr int least_sides_of_loop = 4;
 
   static int side_vertex(const Quad_grid& quads, const Side& side)
   {
     return quads.vertices[side.first][side.second & 3];
-  }
-
-  void number_chords()
-  {
-    m_chords.assign(m_quads.number_of_quads(), Chords_of_quad{{-1, -1}});
-    for(int q = 0; q < m_quads.number_of_quads(); ++q)
-      for(int i = 0; i < 2; ++i)
-        if(m_chords[q][i] < 0)
-        {
-          mark_chord(Side(q, i));
-          mark_chord(Side(q, i + 2));
-          ++m_number_of_chords;
-        }
-  }
-
-  // from a quad on, across one of its sides
-  void mark_chord(Side side)
-  {
-    bool is_new = true;
-    while(is_new)
-    {
-      m_chords[side.first][side.second % 2] = m_number_of_chords;
-      const Side next = m_quads.neighbors[side.first][side.second];
-      if(next.first == Quad_grid::border)
-        return;
-      side = Side(next.first, (next.second + 2) & 3);
-      is_new = m_chords[side.first][side.second % 2] < 0;
-    }
   }
 
   void find_boundary(const std::vector<char>& is_corner)
@@ -154,18 +139,8 @@ private:
     return m_quads.borders[side.first][side.second];
   }
 
-  bool is_collapsed(const Side& side, const std::vector<char>& is_in_set) const
-  {
-    return is_in_set[m_chords[side.first][side.second % 2]] != 0;
-  }
-
-  bool is_left(int quad, const std::vector<char>& is_in_set) const
-  {
-    return !is_in_set[m_chords[quad][0]] && !is_in_set[m_chords[quad][1]];
-  }
-
   // per vertex: a vertex that is the same for all those that it meets
-  std::vector<int> vertex_groups(const std::vector<char>& is_in_set) const
+  std::vector<int> vertex_groups(const Collapse_pattern& pattern) const
   {
     std::vector<int> group(m_quads.number_of_vertices());
     for(std::size_t v = 0; v < group.size(); ++v)
@@ -176,16 +151,22 @@ private:
         v = group[v] = group[group[v]];
       return v;
     };
+    const auto unite = [&](int q, int i, int j)
+    { group[root(m_quads.vertices[q][i])] = root(m_quads.vertices[q][j]); };
     for(int q = 0; q < m_quads.number_of_quads(); ++q)
+    {
       for(int i = 0; i < 4; ++i)
-        if(is_collapsed(Side(q, i), is_in_set))
-          group[root(m_quads.vertices[q][i])] = root(m_quads.vertices[q][(i + 1) & 3]);
+        if(pattern.is_shrunk(Side(q, i)))
+          unite(q, i, (i + 1) & 3);
+      if(const int i = pattern.diagonal(q); i >= 0)
+        unite(q, i, i + 2);
+    }
     for(std::size_t v = 0; v < group.size(); ++v)
       group[v] = root(static_cast<int>(v));
     return group;
   }
 
-  bool are_trees(const std::vector<int>& group, const std::vector<char>& is_in_set) const
+  bool are_trees(const std::vector<int>& group, const Collapse_pattern& pattern) const
   {
     struct Counts
     {
@@ -202,18 +183,20 @@ private:
       c.fixed += m_is_fixed[v];
     }
     for(int q = 0; q < m_quads.number_of_quads(); ++q)
+    {
+      const int corner = (std::max)(pattern.diagonal(q), 0);
+      counts[group[m_quads.vertices[q][corner]]].euler_characteristic
+        += faces_minus_diagonals(q, pattern);
       for(int i = 0; i < 4; ++i)
       {
-        const Side side(q, i);
         Counts& c = counts[group[m_quads.vertices[q][i]]];
-        if(i == 0 && is_in_set[m_chords[q][0]] && is_in_set[m_chords[q][1]])
-          ++c.euler_characteristic;
-        if(!is_collapsed(side, is_in_set) || (!m_quads.is_border(q, i)
-                                              && m_quads.neighbors[q][i] < side))
+        if(!pattern.is_shrunk(Side(q, i))
+           || (!m_quads.is_border(q, i) && m_quads.neighbors[q][i] < Side(q, i)))
           continue;
         --c.euler_characteristic;
         c.border_euler_characteristic -= m_quads.is_border(q, i) ? 1 : 0;
       }
+    }
     for(std::size_t v = 0; v < group.size(); ++v)
       if(group[v] == static_cast<int>(v)
          && (counts[v].euler_characteristic != 1
@@ -223,12 +206,21 @@ private:
     return true;
   }
 
-  // Links what is left, across strips that collapse.
-  bool make_quads(const std::vector<char>& is_in_set, Collapsed_quads& result) const
+  // the faces of a quad that become a vertex, two if it has a diagonal, less the diagonals
+  static int faces_minus_diagonals(int q, const Collapse_pattern& pattern)
+  {
+    const auto is_shrunk = [&](int i) { return pattern.is_shrunk(Side(q, i & 3)); };
+    const auto are_shrunk = [&](int i) { return is_shrunk(i) && is_shrunk(i + 1) ? 1 : 0; };
+    const int i = pattern.diagonal(q);
+    return i < 0 ? are_shrunk(0) * are_shrunk(2) : are_shrunk(i) + are_shrunk(i + 2) - 1;
+  }
+
+  // Links what is left, across quads that collapse.
+  bool make_quads(const Collapse_pattern& pattern, Collapsed_quads& result) const
   {
     std::vector<int> number(m_quads.number_of_quads(), -1);
     for(int q = 0; q < m_quads.number_of_quads(); ++q)
-      if(is_left(q, is_in_set))
+      if(pattern.is_left(q))
       {
         number[q] = result.quads.add_quad();
         result.original.push_back(q);
@@ -236,7 +228,8 @@ private:
     for(int k = 0; k < result.quads.number_of_quads(); ++k)
       for(int i = 0; i < 4; ++i)
       {
-        const Side beyond = beyond_strips(Side(result.original[k], i), number);
+        const Side beyond
+          = pattern.beyond(Side(result.original[k], i), [](const Side&, const Side&) {});
         if(beyond.first == Quad_grid::border)
           result.quads.make_border(Side(k, i));
         else
@@ -245,17 +238,8 @@ private:
     return result.quads.number_of_quads() > 0;
   }
 
-  // the side at the other end of the strips that are crossed from the side of a quad that is left
-  Side beyond_strips(const Side& side, const std::vector<int>& number) const
-  {
-    Side next = m_quads.neighbors[side.first][side.second];
-    while(next.first != Quad_grid::border && number[next.first] < 0)
-      next = m_quads.neighbors[next.first][(next.second + 2) & 3];
-    return next;
-  }
-
   // One vertex for each group.
-  bool place_vertices(const std::vector<int>& group, const std::vector<char>& is_in_set,
+  bool place_vertices(const std::vector<int>& group, const Collapse_pattern& pattern,
                       Collapsed_quads& result) const
   {
     std::vector<int> vertex_of(group.size(), -1), group_of(result.quads.number_of_vertices(), -1);
@@ -281,7 +265,7 @@ private:
     for(int v = 0; v < result.quads.number_of_vertices(); ++v)
       if(result.quads.is_border_vertex[v])
       {
-        result.anchor[v] = anchor_of(group_of[v], group, is_in_set);
+        result.anchor[v] = anchor_of(group_of[v], group, pattern);
         if(result.anchor[v] < 0)
           return false;
         result.quads.mesh_vertex[v] = m_quads.mesh_vertex[result.anchor[v]];
@@ -290,7 +274,7 @@ private:
   }
 
   // of a group: its corner, or else the vertex of the boundary in the middle; -1 if there is none
-  int anchor_of(int g, const std::vector<int>& group, const std::vector<char>& is_in_set) const
+  int anchor_of(int g, const std::vector<int>& group, const Collapse_pattern& pattern) const
   {
     int first = -1;
     for(std::size_t v = 0; v < group.size(); ++v)
@@ -301,7 +285,7 @@ private:
         if(first < 0)
           first = static_cast<int>(v);
       }
-    return first < 0 ? -1 : middle_of(first, is_in_set);
+    return first < 0 ? -1 : middle_of(first, pattern);
   }
 
   int next_on_boundary(int v) const
@@ -311,9 +295,9 @@ private:
   }
 
   // of the piece of the boundary around a vertex that becomes a vertex
-  int middle_of(int v, const std::vector<char>& is_in_set) const
+  int middle_of(int v, const Collapse_pattern& pattern) const
   {
-    const auto is_inside = [&](const Side& side) { return is_collapsed(side, is_in_set); };
+    const auto is_inside = [&](const Side& side) { return pattern.is_shrunk(side); };
     while(is_inside(m_incoming[v]))
       v = side_vertex(m_quads, m_incoming[v]);
     std::vector<int> piece(1, v);
@@ -329,20 +313,6 @@ private:
       = std::min_element(position.begin(), position.end(),
                          [&](double x, double y) { return distance(x) < distance(y); });
     return piece[middle - position.begin()];
-  }
-
-  static bool has_good_quads(const Quad_grid& quads)
-  {
-    for(int q = 0; q < quads.number_of_quads(); ++q)
-    {
-      const std::set<int> different(quads.vertices[q].begin(), quads.vertices[q].end());
-      if(different.size() < 4)
-        return false;
-      for(const Side& side : quads.neighbors[q])
-        if(side.first == q)
-          return false;
-    }
-    return true;
   }
 
   bool has_good_valences(const Collapsed_quads& result) const
@@ -408,8 +378,6 @@ private:
   }
 
   const Quad_grid& m_quads;
-  std::vector<Chords_of_quad> m_chords;      // per quad
-  int m_number_of_chords = 0;
   std::vector<Side> m_border_side;           // per vertex of the boundary: that starts there
   std::vector<Side> m_incoming;              // per vertex of the boundary: that ends there
   std::map<std::size_t, double> m_chain_length;
@@ -420,4 +388,4 @@ private:
 } // namespace Surface_mesh_spline_conversion
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_LAYOUT_CHORD_COLLAPSE_H
+#endif // CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_LAYOUT_QUAD_COLLAPSE_H
