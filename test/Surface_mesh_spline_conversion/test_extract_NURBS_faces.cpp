@@ -154,16 +154,10 @@ bool is_single_piece(const SMSC::B_spline_surface_3<K>& surface)
 }
 
 // a negative number of border edges stands for any
-void test(const std::string& name, const Quad_layout& layout, long euler_characteristic,
-          long number_of_border_edges, std::size_t number_of_creases = 0,
-          int number_of_refinements = 0)
+void check(const std::string& name, const Quad_layout& layout,
+           const CGAL::T_NURCC_surface_3<K>& surface, long euler_characteristic,
+           long number_of_border_edges, std::size_t number_of_creases)
 {
-  CGAL::T_NURCC_surface_3<K> surface(layout);
-  assert(surface.error() == SMSC::Error_code::OK);
-  for(int i = 0; i < number_of_refinements; ++i)
-    surface.refine_boundary({{0, 0, std::ldexp(1., -i)}});
-  assert(number_of_refinements == 0 || surface.number_of_t_junctions() > 0);
-  straighten_corners(layout, surface);
   std::size_t faces = 0;
   for(bool merge : {false, true})
   {
@@ -181,6 +175,8 @@ void test(const std::string& name, const Quad_layout& layout, long euler_charact
     assert(statistics.number_of_creases == number_of_creases);
     assert(statistics.number_of_caps == surface.number_of_extraordinary_points());
     assert(statistics.number_of_sharp_caps == 0);
+    // the caps of the surface are those of the faces, unless these have to be smaller beside creases
+    assert(!surface.has_caps() || number_of_creases > 0 || statistics.deviation < 1e-13 * RADIUS);
     assert(!merge || number_of_border_edges < 0
            || checks.number_of_border_edges == number_of_border_edges);
     assert(!merge || shell.number_of_faces() < faces);
@@ -193,8 +189,26 @@ void test(const std::string& name, const Quad_layout& layout, long euler_charact
     assert(!merge
            || shell.number_of_faces() - sectors <= 4 * number_of_separatrix_rectangles(layout));
     faces = shell.number_of_faces();
-    check_vertices(surface, shell);
+    if(!surface.has_caps() || number_of_creases == 0)
+      check_vertices(surface, shell);
   }
+}
+
+// with the caps of the faces alone, and with a surface that has them itself
+void test(const std::string& name, const Quad_layout& layout, long euler_characteristic,
+          long number_of_border_edges, std::size_t number_of_creases = 0,
+          int number_of_refinements = 0)
+{
+  CGAL::T_NURCC_surface_3<K> surface(layout);
+  assert(surface.error() == SMSC::Error_code::OK);
+  for(int i = 0; i < number_of_refinements; ++i)
+    surface.refine_boundary({{0, 0, std::ldexp(1., -i)}});
+  assert(number_of_refinements == 0 || surface.number_of_t_junctions() > 0);
+  straighten_corners(layout, surface);
+  check(name, layout, surface, euler_characteristic, number_of_border_edges, number_of_creases);
+  surface.set_caps(true);
+  check(name + " with caps", layout, surface, euler_characteristic, number_of_border_edges,
+        number_of_creases);
 }
 
 // Where the line above a corner leaves the plane of the tangents of the boundary, its faces do not;

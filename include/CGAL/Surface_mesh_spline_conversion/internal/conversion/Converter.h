@@ -269,6 +269,7 @@ private:
       part.message = surface.message();
       return surface.error();
     }
+    surface.set_caps(m_options.use_caps);
     const auto np = parameters::boundary_tolerance(m_options.boundary_tolerance)
                       .interior_tolerance(m_options.interior_tolerance)
                       .error_metric(m_options.error_metric)
