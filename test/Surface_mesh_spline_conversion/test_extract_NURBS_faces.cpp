@@ -8,9 +8,12 @@
 #include <CGAL/Surface_mesh_spline_conversion/IO/OBJ_quad_mesh.h>
 #include <CGAL/Surface_mesh_spline_conversion/extract_NURBS_faces.h>
 
+#include <cstddef>
 #include <iostream>
+#include <set>
 #include <sstream>
 #include <string>
+#include <vector>
 
 namespace SMSC = CGAL::Surface_mesh_spline_conversion;
 typedef CGAL::Simple_cartesian<double> K;
@@ -153,6 +156,21 @@ bool is_single_piece(const SMSC::B_spline_surface_3<K>& surface)
       && (surface.knots[1].number_of_spans() == 1 || surface.knots[1].degree() == 5);
 }
 
+// the lines above corners that have edges; each begins at the boundary
+std::size_t number_of_lines_above_corners(const Shell& shell)
+{
+  std::vector<char> is_on_border(shell.number_of_vertices(), false);
+  for(std::size_t e = 0; e < shell.number_of_edges(); ++e)
+    if(shell.is_border(e))
+      is_on_border[shell.edge(e).source] = is_on_border[shell.edge(e).target] = true;
+  std::set<std::size_t> lines;
+  for(std::size_t e = 0; e < shell.number_of_edges(); ++e)
+    if(shell.is_crease(e)
+       && (is_on_border[shell.edge(e).source] || is_on_border[shell.edge(e).target]))
+      lines.insert(shell.face(shell.face_of_edge(e, true)).crease);
+  return lines.size();
+}
+
 // a negative number of border edges stands for any
 void check(const std::string& name, const Quad_layout& layout,
            const CGAL::T_NURCC_surface_3<K>& surface, long euler_characteristic,
@@ -173,6 +191,7 @@ void check(const std::string& name, const Quad_layout& layout,
     assert(checks.largest_gap < 1e-13 * RADIUS);
     assert(checks.largest_angle < 1e-8);
     assert(statistics.number_of_creases == number_of_creases);
+    assert(number_of_lines_above_corners(shell) == number_of_creases);
     assert(statistics.number_of_caps == surface.number_of_extraordinary_points());
     assert(statistics.number_of_sharp_caps == 0);
     // the caps of the surface are those of the faces, unless these have to be smaller beside creases
