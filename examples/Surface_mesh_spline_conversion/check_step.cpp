@@ -51,6 +51,7 @@ void print_measures(const TopoDS_Shape& shape)
   const SC::Stitching_report r = SC::measure_BRep(shape);
   const SC::BRep_gaps gaps = SC::measure_BRep_gaps(shape);
   std::printf("solids, shells, faces       %zu %zu %zu\n", r.solids, r.shells, r.faces);
+  std::printf("edges, vertices             %zu %zu\n", r.edges, r.vertices);
   std::printf("free edges, multiple edges  %zu %zu\n", r.free_edges, r.multiple_edges);
   std::printf("valid for Open CASCADE      %s\n", r.is_valid ? "yes" : "no");
   std::printf("tolerance of edges          %.3g mm\n", r.edge_tolerance);

@@ -213,6 +213,7 @@ Exit_code convert_and_write(const Options& options, const Case& input,
       .do_fair_interior(options.do_fair)
       .do_certify_interior(options.do_certify)
       .use_smooth_target(options.has_smooth_target)
+      .use_caps(options.has_caps)
       .boundary_tangency(normals)
       .vertex_is_constrained_map(input.vertex_is_corner_map())
       .visitor(std::ref(visitor)));

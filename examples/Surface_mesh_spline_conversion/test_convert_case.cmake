@@ -49,6 +49,7 @@ file(READ ${OUTPUT}/a.json report)
 foreach(keys "input;loops" "input;facet_sagitta" "xi" "delta" "quad_size" "boundary;max_deviation"
         "boundary;certified_bound" "boundary;worst;t" "interior;max_deviation" "interior;worst;2"
         "counts;patches" "counts;nurbs_faces" "smoothness;max_normal_angle_degrees"
+        "smoothness;max_crease_angle_degrees"
         "map;flipped_triangles" "iterations;0;patches" "stages;0;seconds" "peak_memory_bytes")
   string(JSON value ERROR_VARIABLE error GET ${report} ${keys})
   if(error OR value STREQUAL "")

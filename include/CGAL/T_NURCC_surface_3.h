@@ -252,6 +252,24 @@ public:
   /// returns the number of extraordinary points.
   size_type number_of_extraordinary_points() const { return m_extraordinary_points.size(); }
 
+  /// returns `true` if caps take the place of the limit surface at extraordinary points.
+  bool has_caps() const { return m_basis.has_caps(); }
+
+  /// puts G1 caps in the place of the limit surface at extraordinary points, as far as it is tangent
+  /// continuous around them, or takes them away. A cap consists of one biquintic polynomial on each
+  /// patch at the extraordinary point; its points are linear in the control points. All points,
+  /// derivatives, and basis functions are those of the caps then; Bezier elements and rings of
+  /// control points are still those of the limit surface.
+  void set_caps(bool has_caps) { m_basis.set_caps(m_mesh, has_caps); }
+
+  /// returns how many times patch `i` is halved in both directions to the square of the cap at one of
+  /// its corners (0 to 3, as the vertices of a quad), or -1 if there is no cap.
+  int cap_level(size_type i, int corner) const { return m_basis.cap_level(i, corner); }
+
+  /// returns a bound of the sum of the magnitudes of all basis functions on patch `i`: one, except on
+  /// a cap, where some are negative.
+  double basis_bound(size_type i) const { return m_basis.bound(i); }
+
   /// returns the number of T-junctions.
   size_type number_of_t_junctions() const
   {

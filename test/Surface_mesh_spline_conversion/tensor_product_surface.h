@@ -100,6 +100,7 @@ public:
   // no Bezier form: patches are evaluated one point after the other
   bool is_extraordinary_patch(size_type) const { return true; }
   std::vector<Bezier_element> patch_elements(size_type) const { return {}; }
+  double basis_bound(size_type) const { return 1; }
   void basis_on_grid(size_type, size_type, size_type, std::vector<size_type>&,
                      std::vector<double>&) const
   {}

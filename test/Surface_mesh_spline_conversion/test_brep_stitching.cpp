@@ -36,6 +36,7 @@ void check_files(const TopoDS_Shape& shape, const SMSC::Stitching_report& report
     std::remove(filename.c_str());
     const SMSC::Stitching_report again = SMSC::measure_BRep(copy);
     assert(again.solids == report.solids && again.shells == report.shells);
+    assert(again.edges == report.edges && again.vertices == report.vertices);
     assert(again.faces == report.faces && again.free_edges == 0 && again.is_valid);
     assert(std::abs(again.volume - report.volume) <= 1e-9 * report.volume);
     // the curves in the parameter planes are kept, too

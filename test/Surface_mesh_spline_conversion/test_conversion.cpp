@@ -7,6 +7,7 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_spline_conversion/IO/read_case.h>
 #include <CGAL/Surface_mesh_spline_conversion/convert_to_T_NURCC.h>
+#include <CGAL/Surface_mesh_spline_conversion/extract_NURBS_faces.h>
 #include <CGAL/boost/graph/generators.h>
 #include <CGAL/subdivision_method_3.h>
 
@@ -222,6 +223,28 @@ void test_interruption()
                                .maximum_number_of_patches(60).do_certify_interior(true));
 }
 
+// Caps that the fit has seen are the faces; those of another surface only approximate it.
+template <typename TriangleMesh, typename Kernel>
+void check_caps(const TriangleMesh& mesh, std::vector<CGAL::T_NURCC_surface_3<Kernel> >& surfaces,
+                double delta)
+{
+  namespace params = CGAL::parameters;
+  for(bool use_caps : {false, true})
+  {
+    SC::Conversion_report report;
+    assert(SC::convert_to_T_NURCC(mesh, surfaces, report,
+                                  params::interior_tolerance(delta).use_caps(use_caps)
+                                    .do_coarsen_patches(true).do_fair_interior(true))
+           == SC::Error_code::OK);
+    assert(surfaces[0].number_of_extraordinary_points() > 0);
+    assert(surfaces[0].has_caps() == use_caps && report.interior.max_deviation < delta);
+    SC::NURBS_shell_3<Kernel> shell;
+    const auto statistics
+      = SC::extract_NURBS_faces(surfaces[0], shell, params::interior_tolerance(delta));
+    assert((statistics.deviation < 1e-12) == use_caps);
+  }
+}
+
 // a sphere as a polyhedron, with another kernel and without curves
 void test_closed_polyhedron()
 {
@@ -250,6 +273,8 @@ void test_closed_polyhedron()
     largest = (std::max)(largest, std::abs(std::sqrt((p - CGAL::ORIGIN).squared_length()) - 10));
   }
   assert(largest < delta + 0.05); // the facets lie up to 0.05 inside the sphere
+
+  check_caps(sphere, surfaces, delta);
 
   for(int stages : {0, 1, 3})
   {

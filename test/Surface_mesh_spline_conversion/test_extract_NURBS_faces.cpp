@@ -8,9 +8,12 @@
 #include <CGAL/Surface_mesh_spline_conversion/IO/OBJ_quad_mesh.h>
 #include <CGAL/Surface_mesh_spline_conversion/extract_NURBS_faces.h>
 
+#include <cstddef>
 #include <iostream>
+#include <set>
 #include <sstream>
 #include <string>
+#include <vector>
 
 namespace SMSC = CGAL::Surface_mesh_spline_conversion;
 typedef CGAL::Simple_cartesian<double> K;
@@ -153,17 +156,26 @@ bool is_single_piece(const SMSC::B_spline_surface_3<K>& surface)
       && (surface.knots[1].number_of_spans() == 1 || surface.knots[1].degree() == 5);
 }
 
-// a negative number of border edges stands for any
-void test(const std::string& name, const Quad_layout& layout, long euler_characteristic,
-          long number_of_border_edges, std::size_t number_of_creases = 0,
-          int number_of_refinements = 0)
+// the lines above corners that have edges; each begins at the boundary
+std::size_t number_of_lines_above_corners(const Shell& shell)
 {
-  CGAL::T_NURCC_surface_3<K> surface(layout);
-  assert(surface.error() == SMSC::Error_code::OK);
-  for(int i = 0; i < number_of_refinements; ++i)
-    surface.refine_boundary({{0, 0, std::ldexp(1., -i)}});
-  assert(number_of_refinements == 0 || surface.number_of_t_junctions() > 0);
-  straighten_corners(layout, surface);
+  std::vector<char> is_on_border(shell.number_of_vertices(), false);
+  for(std::size_t e = 0; e < shell.number_of_edges(); ++e)
+    if(shell.is_border(e))
+      is_on_border[shell.edge(e).source] = is_on_border[shell.edge(e).target] = true;
+  std::set<std::size_t> lines;
+  for(std::size_t e = 0; e < shell.number_of_edges(); ++e)
+    if(shell.is_crease(e)
+       && (is_on_border[shell.edge(e).source] || is_on_border[shell.edge(e).target]))
+      lines.insert(shell.face(shell.face_of_edge(e, true)).crease);
+  return lines.size();
+}
+
+// a negative number of border edges stands for any
+void check(const std::string& name, const Quad_layout& layout,
+           const CGAL::T_NURCC_surface_3<K>& surface, long euler_characteristic,
+           long number_of_border_edges, std::size_t number_of_creases)
+{
   std::size_t faces = 0;
   for(bool merge : {false, true})
   {
@@ -179,8 +191,11 @@ void test(const std::string& name, const Quad_layout& layout, long euler_charact
     assert(checks.largest_gap < 1e-13 * RADIUS);
     assert(checks.largest_angle < 1e-8);
     assert(statistics.number_of_creases == number_of_creases);
+    assert(number_of_lines_above_corners(shell) == number_of_creases);
     assert(statistics.number_of_caps == surface.number_of_extraordinary_points());
     assert(statistics.number_of_sharp_caps == 0);
+    // the caps of the surface are those of the faces, unless these have to be smaller beside creases
+    assert(!surface.has_caps() || number_of_creases > 0 || statistics.deviation < 1e-13 * RADIUS);
     assert(!merge || number_of_border_edges < 0
            || checks.number_of_border_edges == number_of_border_edges);
     assert(!merge || shell.number_of_faces() < faces);
@@ -193,8 +208,26 @@ void test(const std::string& name, const Quad_layout& layout, long euler_charact
     assert(!merge
            || shell.number_of_faces() - sectors <= 4 * number_of_separatrix_rectangles(layout));
     faces = shell.number_of_faces();
-    check_vertices(surface, shell);
+    if(!surface.has_caps() || number_of_creases == 0)
+      check_vertices(surface, shell);
   }
+}
+
+// with the caps of the faces alone, and with a surface that has them itself
+void test(const std::string& name, const Quad_layout& layout, long euler_characteristic,
+          long number_of_border_edges, std::size_t number_of_creases = 0,
+          int number_of_refinements = 0)
+{
+  CGAL::T_NURCC_surface_3<K> surface(layout);
+  assert(surface.error() == SMSC::Error_code::OK);
+  for(int i = 0; i < number_of_refinements; ++i)
+    surface.refine_boundary({{0, 0, std::ldexp(1., -i)}});
+  assert(number_of_refinements == 0 || surface.number_of_t_junctions() > 0);
+  straighten_corners(layout, surface);
+  check(name, layout, surface, euler_characteristic, number_of_border_edges, number_of_creases);
+  surface.set_caps(true);
+  check(name + " with caps", layout, surface, euler_characteristic, number_of_border_edges,
+        number_of_creases);
 }
 
 // Where the line above a corner leaves the plane of the tangents of the boundary, its faces do not;

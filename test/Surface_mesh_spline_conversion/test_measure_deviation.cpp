@@ -29,7 +29,8 @@ const int CELLS = 20;
 
 // two bicubic faces side by side over the square; `z(i,j)` moves control point i of 0 to 6, j of 0
 // to 3; or over a part of the square that is `width` wide
-Shell two_faces(const std::function<double(int, int)>& z, double width = SIZE)
+Shell two_faces(const std::function<double(int, int)>& z, double width = SIZE,
+                std::size_t crease = Shell::null)
 {
   Shell shell;
   const SMSC::Knot_vector<double> knots(3, {0, 1});
@@ -55,6 +56,7 @@ Shell two_faces(const std::function<double(int, int)>& z, double width = SIZE)
         face.surface.control_points.push_back(point(first + i, j));
     face.patch = 0;
     face.is_extraordinary = false;
+    face.crease = crease;
     face.loop.push_back({edge(first, 0, first + 3, 0), true});
     const std::size_t right = edge(first + 3, 0, first + 3, 3);
     face.loop.push_back({right, true});
@@ -311,6 +313,13 @@ int main()
   d = measure(two_faces([a](int i, int) { return a * SIZE / 6 * std::abs(i - 3); }));
   assert(is_close(d.normal_angle_maximum, 2 * std::atan(a) * 180 / CGAL_PI, 1e-9));
   assert(is_close(d.normal_angle_worst.x(), SIZE / 2, rounding));
+  assert(d.normal_violations.size() == 1 && d.normal_violations[0] == d.normal_angle_worst);
+  assert(d.crease_angle_maximum == 0);
+
+  // the same on a line above a corner
+  d = measure(two_faces([a](int i, int) { return a * SIZE / 6 * std::abs(i - 3); }, SIZE, 0));
+  assert(is_close(d.crease_angle_maximum, 2 * std::atan(a) * 180 / CGAL_PI, 1e-9));
+  assert(d.normal_angle_maximum == 0 && is_close(d.normal_angle_worst.x(), SIZE / 2, rounding));
   assert(d.normal_violations.size() == 1 && d.normal_violations[0] == d.normal_angle_worst);
 
   // a vertex of the mesh pulled out: only seen from the mesh

@@ -38,6 +38,7 @@ struct Options
   bool do_fair = false;
   bool do_certify = false;
   bool has_smooth_target = false;
+  bool has_caps = false;
   bool is_tangent = false;
   bool is_quiet = false;
   bool asks_for_help = false;
@@ -71,6 +72,7 @@ inline const char* usage()
     "  --certify          prove a bound of the distance from the surface to the mesh\n"
     "  --smooth-target    fit curved triangles instead of the facets of the mesh: D is the distance\n"
     "                     from them\n"
+    "  --caps             fit the caps at extraordinary points themselves, not what they stand for\n"
     "  --error-metric M   parametric, reprojected (default), or hausdorff\n"
     "  --no-merge         one face per Bezier element in the STEP file\n"
     "  --quiet            no progress on the standard error stream\n"
@@ -143,6 +145,7 @@ inline std::string parse_options(const std::vector<std::string>& arguments, Opti
     {"--fair", [&options] { options.do_fair = true; }},
     {"--certify", [&options] { options.do_certify = true; }},
     {"--smooth-target", [&options] { options.has_smooth_target = true; }},
+    {"--caps", [&options] { options.has_caps = true; }},
     {"--no-merge", [&options] { options.do_merge = false; }},
     {"--quiet", [&options] { options.is_quiet = true; }},
     {"--help", [&options] { options.asks_for_help = true; }}};

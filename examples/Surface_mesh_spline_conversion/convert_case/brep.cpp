@@ -44,8 +44,8 @@ double millimetres(const std::string& unit)
 template <typename Figures, typename Function>
 void for_each_figure(Figures& r, const Function& f)
 {
-  for(auto* n : {&r.solids, &r.shells, &r.faces, &r.free_edges, &r.unmatched_edges,
-                 &r.multiple_edges})
+  for(auto* n : {&r.solids, &r.shells, &r.faces, &r.edges, &r.vertices, &r.free_edges,
+                 &r.unmatched_edges, &r.multiple_edges})
     f(*n);
   f(r.is_valid);
   for(auto* x : {&r.edge_distance, &r.edge_deviation, &r.edge_tolerance, &r.vertex_tolerance,

@@ -103,8 +103,10 @@ struct Conversion_report
   /// describes how smooth the surface is.
   struct Smoothness
   {
-    /// largest angle between the normals on both sides of an inner edge
+    /// largest angle between the normals on both sides of an inner edge, but for lines above corners
     double max_normal_angle_degrees = not_measured;
+    /// largest angle between the normals on both sides of a line above a corner; zero without any
+    double max_crease_angle_degrees = not_measured;
     /// largest angle between the normals of the surface and those it was to have along the boundary
     double max_tangency_angle_degrees = not_measured;
     /// number of ends of curves where the two curves at the corner exclude the wanted normal

@@ -176,6 +176,7 @@ public:
     std::vector<Oriented_edge> loop;
     size_type patch;              ///< the patch of the T-NURCC surface at the smallest parameters
     bool is_extraordinary;        ///< is this a cap at an extraordinary point?
+    size_type crease = null;      ///< the line above a corner that the face lies beside, or `null`
   };
 
   /// \name Creation
@@ -240,6 +241,15 @@ public:
   bool is_border(size_type e) const
   {
     return m_faces_of_edge[e][0] == null || m_faces_of_edge[e][1] == null;
+  }
+
+  /// returns `true` if edge `e` lies on a line above a corner, between the faces beside it.
+  bool is_crease(size_type e) const
+  {
+    if(is_border(e))
+      return false;
+    const size_type crease = m_faces[m_faces_of_edge[e][0]].crease;
+    return crease != null && crease == m_faces[m_faces_of_edge[e][1]].crease;
   }
 
   /// returns the number of polynomial pieces of all faces.

@@ -37,6 +37,8 @@ struct Stitching_report
   size_type solids = 0;            ///< number of solids
   size_type shells = 0;            ///< number of shells
   size_type faces = 0;             ///< number of faces
+  size_type edges = 0;             ///< number of edges
+  size_type vertices = 0;          ///< number of vertices
   size_type free_edges = 0;        ///< edges of one face
   size_type unmatched_edges = 0;   ///< pieces of boundary edges of the shell without partner
   size_type multiple_edges = 0;    ///< edges of more than two faces

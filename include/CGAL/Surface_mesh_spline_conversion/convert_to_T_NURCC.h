@@ -146,6 +146,13 @@ mesh to T-NURCC surface conversion*, Computers & Graphics 82 (2019).
     \cgalParamType{`bool`}
     \cgalParamDefault{`false`}
   \cgalParamNEnd
+  \cgalParamNBegin{use_caps}
+    \cgalParamDescription{whether the surfaces have caps at their extraordinary points, see
+                           `T_NURCC_surface_3::set_caps()`, so that the fit sees the faces as
+                           `extract_NURBS_faces()` makes them}
+    \cgalParamType{`bool`}
+    \cgalParamDefault{`false`}
+  \cgalParamNEnd
   \cgalParamNBegin{do_certify_interior}
     \cgalParamDescription{whether an upper bound of the distance from the surfaces to the mesh is
                            proved in the end, see `bound_interior_deviation()`}

@@ -115,10 +115,22 @@ extract_faces(const T_NURCC_surface_3<K>& surface, std::vector<Cell> cells, doub
   for(const Boundary_vertex<FT>& v : boundary_vertices)
     settings.boundary_points.push_back({v.quad, v.side, CGAL::to_double(v.parameter)});
 
-  auto position = [&surface](std::size_t patch, double u, double v)
-  { return to_eigen(surface.position(patch, FT(u), FT(v))); };
+  auto position_on = [](const T_NURCC_surface_3<K>& surface)
+  {
+    return [&surface](std::size_t patch, double u, double v)
+      { return to_eigen(surface.position(patch, FT(u), FT(v))); };
+  };
+  T_NURCC_surface_3<K> limit; // the surface without caps
+  if(surface.has_caps())
+  {
+    limit = surface;
+    limit.set_caps(false);
+    settings.caps.limit = position_on(limit);
+    settings.caps.level = [&surface](std::size_t patch, int corner)
+      { return surface.cap_level(patch, corner); };
+  }
   const Extraction_result result = extract_shell(std::move(cells), quad_neighbors(surface),
-                                                 position, settings, shell, pieces);
+                                                 position_on(surface), settings, shell, pieces);
 
   Cap_statistics<FT> statistics;
   statistics.number_of_caps = result.number_of_caps;
@@ -139,8 +151,8 @@ turns a T-NURCC surface into the faces of a boundary representation.
 Away from extraordinary points the surface is piecewise bicubic. Its pieces are merged to rectangles
 on which it is twice continuously differentiable; each becomes one bicubic B-spline face, exactly.
 At an extraordinary point of valence \f$ n \f$, \f$ n \f$ biquintic faces make a cap that joins its
-neighbors and itself with continuous tangent planes and approximates the surface. Adjacent faces
-share their edges; a face whose side has T-junctions has several edges there.
+neighbors and itself with continuous tangent planes and approximates the surface, or is the surface if
+that has caps, see `T_NURCC_surface_3::set_caps()`. Adjacent faces share their edges; a face whose side has T-junctions has several edges there.
 
 \tparam K a model of `Kernel` with a floating point number type
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"

@@ -98,6 +98,8 @@ inline Stitching_report measure_BRep(const TopoDS_Shape& shape)
   report.solids = internal::count_subshapes(shape, TopAbs_SOLID);
   report.shells = internal::count_subshapes(shape, TopAbs_SHELL);
   report.faces = internal::count_subshapes(shape, TopAbs_FACE);
+  report.edges = internal::count_subshapes(shape, TopAbs_EDGE);
+  report.vertices = internal::count_subshapes(shape, TopAbs_VERTEX);
   TopTools_IndexedMapOfShape edges;
   std::vector<std::size_t> uses(1, 0); // the map counts from one
   for(TopExp_Explorer f(shape, TopAbs_FACE); f.More(); f.Next())

@@ -63,8 +63,10 @@ struct Deviation
   std::vector<Point_3> interior_violations; ///< where it exceeds the interior tolerance: the worst
                                             ///< place of each polynomial piece of the shell
 
-  FT normal_angle_maximum = 0;    ///< largest angle between normals across an edge, in degrees
-  Point_3 normal_angle_worst;     ///< where it is largest
+  FT normal_angle_maximum = 0;    ///< largest angle between normals across an edge, in degrees, but
+                                  ///< for the lines above corners
+  FT crease_angle_maximum = 0;    ///< the same on the lines above corners; zero if there are none
+  Point_3 normal_angle_worst;     ///< where the angle is largest
   std::vector<Point_3> normal_violations; ///< where it exceeds one degree: the worst place of each
                                           ///< edge
   std::size_t faces_against_mesh = 0; ///< faces that look the other way than the mesh
@@ -144,8 +146,10 @@ private:
   {
     constexpr double LARGEST_ANGLE = 1; // in degrees
     const Normal_angles angles = normal_angles(shell, LARGEST_ANGLE);
-    result.normal_angle_maximum = angles.statistics.maximum;
-    result.normal_angle_worst = point<K>(angles.statistics.worst);
+    result.normal_angle_maximum = angles.others.maximum;
+    result.crease_angle_maximum = angles.creases.maximum;
+    result.normal_angle_worst = point<K>(angles.creases.maximum > angles.others.maximum
+                                           ? angles.creases.worst : angles.others.worst);
     for(const Eigen::Vector3d& p : angles.violations)
       result.normal_violations.push_back(point<K>(p));
   }

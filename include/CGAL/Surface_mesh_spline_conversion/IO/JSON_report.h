@@ -78,6 +78,7 @@ inline void write_JSON_counts(JSON_writer& json, const Conversion_report& report
   json.close('}');
   json.open("smoothness", '{');
   json.member("max_normal_angle_degrees", report.smoothness.max_normal_angle_degrees);
+  json.member("max_crease_angle_degrees", report.smoothness.max_crease_angle_degrees);
   json.member("max_tangency_angle_degrees", report.smoothness.max_tangency_angle_degrees);
   json.member("tangency_conflicts", report.smoothness.tangency_conflicts);
   json.close('}');
@@ -114,6 +115,8 @@ inline void write_JSON_stitching(JSON_writer& json, const Stitching_report& stit
   json.member("solids", stitching.solids);
   json.member("shells", stitching.shells);
   json.member("faces", stitching.faces);
+  json.member("edges", stitching.edges);
+  json.member("vertices", stitching.vertices);
   json.member("free_edges", stitching.free_edges);
   json.member("unmatched_edges", stitching.unmatched_edges);
   json.member("multiple_edges", stitching.multiple_edges);

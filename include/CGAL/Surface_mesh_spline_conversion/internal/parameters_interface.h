@@ -28,6 +28,7 @@ CGAL_add_named_parameter(boundary_band_t, boundary_band, boundary_band)
 CGAL_add_named_parameter(boundary_vertices_t, boundary_vertices, boundary_vertices)
 CGAL_add_named_parameter(boundary_tangency_t, boundary_tangency, boundary_tangency)
 CGAL_add_named_parameter(do_keep_large_corners_t, do_keep_large_corners, do_keep_large_corners)
+CGAL_add_named_parameter(use_caps_t, use_caps, use_caps)
 CGAL_add_named_parameter(use_proxy_mesh_t, use_proxy_mesh, use_proxy_mesh)
 CGAL_add_named_parameter(use_smooth_correspondence_t, use_smooth_correspondence,
                          use_smooth_correspondence)

@@ -11,9 +11,9 @@
 
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
-#include <CGAL/Surface_mesh_spline_conversion/internal/caps/Cap_operator.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/Cell_complex.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/export/blossoms.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/surface/Cap_operator.h>
 
 #include <Eigen/Geometry>
 
@@ -22,6 +22,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <numeric>
 #include <memory>
 #include <utility>
@@ -49,15 +50,27 @@ struct Cap
   std::vector<Cap_sector> sectors; ///< counter clockwise
   std::int64_t patch_size = QUAD_TICKS; ///< of the patches round the extraordinary point
   int level = 0;                   ///< the squares are patches halved so many times
+  int level_of_surface = -1;       ///< the same for the cap that the surface has itself, if any
   double residual = 0;             ///< of the equations of tangent continuity
   double deviation = 0;            ///< from the surface, normal to it
   bool is_regular = true;          ///< do the normals look the way they do on the surface?
 };
 
+/// The caps that a surface has itself. They are made from the limit of subdivision, whose place they
+/// take.
+struct Caps_of_surface
+{
+  /// how many times a patch is halved to the cap at one of its corners, or -1 if there is none
+  std::function<int(std::size_t, int)> level;
+  /// the point of a patch as it is without caps
+  std::function<Eigen::Vector3d(std::size_t, double, double)> limit;
+};
+
 /// Replaces the neighbourhoods of extraordinary points by G1 caps. A cap is as large as possible:
 /// the cells along its outer sides must be single polynomials that belong to no cap, and its
 /// deviation from the surface must keep a tolerance. Halving the squares divides the deviation by
-/// 3 to 8, depending on the valence.
+/// 3 to 8, depending on the valence. Caps that the surface has itself do not deviate from it, unless
+/// they have to be smaller here; then the limit of subdivision takes the place of what is missing.
 template <typename Position>
 class Cap_builder
 {
@@ -67,6 +80,7 @@ public:
     double tolerance;   ///< on the deviation
     double equality;    ///< lengths below are rounding
     int maximum_level;  ///< to which the cells are given
+    Caps_of_surface caps = {}; ///< empty functions if there are none
   };
 
   /// \param complex all cells, subdivided at extraordinary points to the maximum level
@@ -101,6 +115,9 @@ public:
       }
       open.swap(again);
     }
+    for(Cap& cap : m_caps)
+      if(cap.level_of_surface >= 0 && cap.level_of_surface < cap.level)
+        measure_limit(cap);
     return m_caps;
   }
 
@@ -179,6 +196,12 @@ private:
           = (std::min)(cap.patch_size, patch_bounds(sector.quad, sector.patch).extent(axis));
       cap.sectors.push_back(sector);
     }
+    const Cap_sector& first = cap.sectors.front();
+    if(m_settings.caps.level)
+    {
+      cap.level_of_surface = m_settings.caps.level(first.patch, first.corner);
+      cap.level = (std::max)(0, cap.level_of_surface);
+    }
     m_caps.push_back(cap);
   }
 
@@ -208,16 +231,19 @@ private:
   void set_rectangles()
   {
     for(Cap& cap : m_caps)
+      set_rectangles(cap, cap.level);
+  }
+
+  static void set_rectangles(Cap& cap, int level)
+  {
+    const std::int64_t size = cap.patch_size >> level;
+    for(Cap_sector& sector : cap.sectors)
     {
-      const std::int64_t size = cap.patch_size >> cap.level;
-      for(Cap_sector& sector : cap.sectors)
+      const Tick_point p = quad_corner(sector.corner);
+      for(int axis = 0; axis < 2; ++axis)
       {
-        const Tick_point p = quad_corner(sector.corner);
-        for(int axis = 0; axis < 2; ++axis)
-        {
-          sector.rectangle.low[axis] = (p[axis] == 0) ? 0 : QUAD_TICKS - size;
-          sector.rectangle.high[axis] = (p[axis] == 0) ? size : QUAD_TICKS;
-        }
+        sector.rectangle.low[axis] = (p[axis] == 0) ? 0 : QUAD_TICKS - size;
+        sector.rectangle.high[axis] = (p[axis] == 0) ? size : QUAD_TICKS;
       }
     }
   }
@@ -298,17 +324,24 @@ private:
     return result;
   }
 
+  // the rows for the data of `Cap_operator`
+  static Eigen::MatrixXd empty_data(const Cap& cap)
+  {
+    return Eigen::MatrixXd::Zero(Eigen::Index(cap.sectors.size())
+                                 * (Cap_operator::RIBBON_DATA + Cap_operator::SAMPLES), 3);
+  }
+
   void compute(Cap& cap)
   {
     const int n = int(cap.sectors.size());
-    Eigen::MatrixXd data = Eigen::MatrixXd::Zero(n * (Cap_operator::RIBBON_DATA
-                                                      + Cap_operator::SAMPLES), 3);
+    Eigen::MatrixXd data = empty_data(cap);
     for(int k = 0; k < n; ++k)
-    {
       for(int side = 0; side < 2; ++side)
         set_ribbon(cap.sectors[k], side, data, Cap_operator::RIBBON_DATA * k + 8 * side);
-      set_samples(cap.sectors[k], data, Cap_operator::RIBBON_DATA * n + Cap_operator::SAMPLES * k);
-    }
+    if(m_settings.caps.limit)
+      set_samples(cap, m_settings.caps.limit, data);
+    else
+      set_samples(cap, m_position, data);
     const Cap_operator& smooth = cap_operator(n, true);
     Eigen::MatrixXd points = smooth(data);
     cap.residual = smooth.residual(points, data);
@@ -318,6 +351,8 @@ private:
     for(int k = 0; k < n; ++k)
       for(int i = 0; i < Cap_operator::POINTS; ++i)
         cap.sectors[k].points[i] = points.row(Cap_operator::POINTS * k + i).transpose();
+    if(cap.level == cap.level_of_surface)
+      set_samples(cap, m_position, data);
     measure(cap, data);
   }
 
@@ -387,7 +422,9 @@ private:
                              : std::array<double, 2>{{begin - length, begin}};
   }
 
-  Eigen::Vector3d surface_point(const Cap_sector& sector, double u, double v) const
+  template <typename Point>
+  static Eigen::Vector3d point_of_sector(const Cap_sector& sector, const Point& point, double u,
+                                         double v)
   {
     const double size = std::ldexp(double(sector.rectangle.extent(0)), -40);
     double x = u * size, y = v * size;
@@ -397,41 +434,72 @@ private:
       x = 1 - y;
       y = t;
     }
-    return m_position(sector.patch, x, y);
+    return point(sector.patch, x, y);
   }
 
-  void set_samples(const Cap_sector& sector, Eigen::MatrixXd& data, int row) const
+  // `point` returns the point of a patch at coordinates of its quad
+  template <typename Point>
+  static void set_samples(const Cap& cap, const Point& point, Eigen::MatrixXd& data)
   {
-    for(int j = 0; j <= INTERVALS; ++j)
-      for(int i = 0; i <= INTERVALS; ++i, ++row)
-        data.row(row)
-          = surface_point(sector, i / double(INTERVALS), j / double(INTERVALS)).transpose();
+    Eigen::Index row = Cap_operator::RIBBON_DATA * Eigen::Index(cap.sectors.size());
+    for(const Cap_sector& sector : cap.sectors)
+      for(int j = 0; j <= INTERVALS; ++j)
+        for(int i = 0; i <= INTERVALS; ++i, ++row)
+          data.row(row) = point_of_sector(sector, point, i / double(INTERVALS),
+                                          j / double(INTERVALS)).transpose();
   }
 
-  // compares cap and surface at the samples, with the normals of the triangles between them
+  // returns the point of a sector at a sample
+  static Eigen::Vector3d sample(const Cap& cap, const Eigen::MatrixXd& data, std::size_t k, int i,
+                                int j)
+  {
+    const int first = Cap_operator::RIBBON_DATA * int(cap.sectors.size())
+                      + Cap_operator::SAMPLES * int(k);
+    return data.row(first + (INTERVALS + 1) * j + i).transpose();
+  }
+
+  // returns the normal of the triangles between samples
+  static Eigen::Vector3d normal(const Cap& cap, const Eigen::MatrixXd& data, std::size_t k, int i,
+                                int j)
+  {
+    i = (std::min)(i, INTERVALS - 1);
+    j = (std::min)(j, INTERVALS - 1);
+    return (sample(cap, data, k, i + 1, j + 1) - sample(cap, data, k, i, j))
+      .cross(sample(cap, data, k, i, j + 1) - sample(cap, data, k, i + 1, j)).normalized();
+  }
+
+  // Compares the limit with the larger cap that the surface has.
+  void measure_limit(Cap& cap) const
+  {
+    Cap larger = cap;
+    set_rectangles(larger, cap.level_of_surface);
+    Eigen::MatrixXd surface = empty_data(cap), limit = surface;
+    set_samples(larger, m_position, surface);
+    set_samples(larger, m_settings.caps.limit, limit);
+    for(std::size_t k = 0; k < cap.sectors.size(); ++k)
+      for(int j = 0; j <= INTERVALS; ++j)
+        for(int i = 0; i <= INTERVALS; ++i)
+          cap.deviation = (std::max)(cap.deviation, std::abs(normal(cap, surface, k, i, j).dot(
+            sample(cap, limit, k, i, j) - sample(cap, surface, k, i, j))));
+  }
+
+  // compares cap and surface at the samples
   void measure(Cap& cap, const Eigen::MatrixXd& data) const
   {
-    const int n = int(cap.sectors.size());
     const Bernstein_table table;
     cap.deviation = 0;
     cap.is_regular = true;
-    for(int k = 0; k < n; ++k)
-    {
-      const int first = Cap_operator::RIBBON_DATA * n + Cap_operator::SAMPLES * k;
-      auto sample = [&data, first](int i, int j) -> Eigen::Vector3d
-      { return data.row(first + (INTERVALS + 1) * j + i).transpose(); };
+    for(std::size_t k = 0; k < cap.sectors.size(); ++k)
       for(int j = 0; j <= INTERVALS; ++j)
         for(int i = 0; i <= INTERVALS; ++i)
         {
-          const int i0 = (std::min)(i, INTERVALS - 1), j0 = (std::min)(j, INTERVALS - 1);
-          const Eigen::Vector3d normal = (sample(i0 + 1, j0 + 1) - sample(i0, j0))
-            .cross(sample(i0, j0 + 1) - sample(i0 + 1, j0)).normalized();
+          const Eigen::Vector3d direction = normal(cap, data, k, i, j);
           std::array<Eigen::Vector3d, 3> d;
           table.evaluate(cap.sectors[k].points, i, j, d);
-          cap.deviation = (std::max)(cap.deviation, std::abs(normal.dot(d[0] - sample(i, j))));
-          cap.is_regular = cap.is_regular && normal.dot(d[1].cross(d[2])) > 0;
+          cap.deviation = (std::max)(cap.deviation, std::abs(direction.dot(
+            d[0] - sample(cap, data, k, i, j))));
+          cap.is_regular = cap.is_regular && direction.dot(d[1].cross(d[2])) > 0;
         }
-    }
   }
 
   // values and derivatives of biquintic pieces at the samples

@@ -271,6 +271,7 @@ private:
       part.message = surface.message();
       return surface.error();
     }
+    surface.set_caps(m_options.use_caps);
     const auto np = parameters::boundary_tolerance(m_options.boundary_tolerance)
                       .interior_tolerance(m_options.interior_tolerance)
                       .error_metric(m_options.error_metric)
@@ -479,6 +480,7 @@ private:
     for(int i = 0; i < 3; ++i)
       part.interior.worst[i] = CGAL::to_double(deviation.interior_worst[i]);
     part.smoothness.max_normal_angle_degrees = CGAL::to_double(deviation.normal_angle_maximum);
+    part.smoothness.max_crease_angle_degrees = CGAL::to_double(deviation.crease_angle_maximum);
     part.counts.nurbs_faces = shell.number_of_faces();
     return check_deviation(deviation, part);
   }
@@ -531,14 +533,20 @@ private:
     }
   }
 
+  static double largest_angle(const Deviation<Kernel>& deviation)
+  {
+    return CGAL::to_double((std::max)(deviation.normal_angle_maximum,
+                                      deviation.crease_angle_maximum));
+  }
+
   static void warn_about_normals(const Deviation<Kernel>& deviation, Conversion_report& part)
   {
-    const double largest_angle = 1; // in degrees
-    if(!(deviation.normal_angle_maximum > largest_angle))
+    const double angle = largest_angle(deviation), limit = 1; // in degrees
+    if(!(angle > limit))
       return;
     const Point_3& p = deviation.normal_angle_worst;
     part.warnings.push_back("the normals of two faces differ by "
-      + format_number(CGAL::to_double(deviation.normal_angle_maximum)) + " degrees at ("
+      + format_number(angle) + " degrees at ("
       + format_number(CGAL::to_double(p.x())) + ", " + format_number(CGAL::to_double(p.y())) + ", "
       + format_number(CGAL::to_double(p.z())) + "): a larger interior tolerance or another quad size "
       "may give a smoother surface");
@@ -566,7 +574,7 @@ private:
         : "the surface is farther from the mesh than the tolerance";
     else if(deviation.faces_against_mesh > 0)
       part.message = "the surface is folded over: a face looks the other way than the mesh";
-    else if(deviation.normal_angle_maximum > 90)
+    else if(largest_angle(deviation) > 90)
       part.message = "the surface is folded over: the normals of two faces are opposite";
     else
       return Error_code::OK;

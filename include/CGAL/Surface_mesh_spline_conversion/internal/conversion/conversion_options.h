@@ -50,6 +50,7 @@ struct Conversion_options
   bool do_fair;
   bool do_certify;
   bool use_smooth_target;
+  bool use_caps;
 };
 
 // the normals beyond the boundary that the user gave, or an empty function
@@ -108,6 +109,7 @@ Conversion_options conversion_options(const NamedParameters& np, double diameter
     = choose_parameter(get_parameter(np, internal_np::do_certify_interior), false);
   options.use_smooth_target
     = choose_parameter(get_parameter(np, internal_np::use_smooth_target), false);
+  options.use_caps = choose_parameter(get_parameter(np, internal_np::use_caps), false);
   report.boundary_tolerance = options.boundary_tolerance;
   report.interior_tolerance = options.interior_tolerance;
   for(const std::string& defect

@@ -146,6 +146,8 @@ inline void merge_reports(const Conversion_report& part, Conversion_report& whol
   whole.input.facet_sagitta = larger(whole.input.facet_sagitta, part.input.facet_sagitta);
   whole.smoothness.max_normal_angle_degrees
     = larger(whole.smoothness.max_normal_angle_degrees, part.smoothness.max_normal_angle_degrees);
+  whole.smoothness.max_crease_angle_degrees
+    = larger(whole.smoothness.max_crease_angle_degrees, part.smoothness.max_crease_angle_degrees);
   whole.smoothness.max_tangency_angle_degrees = larger(
     whole.smoothness.max_tangency_angle_degrees, part.smoothness.max_tangency_angle_degrees);
   whole.smoothness.tangency_conflicts += part.smoothness.tangency_conflicts;

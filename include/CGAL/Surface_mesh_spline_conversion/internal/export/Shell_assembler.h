@@ -288,6 +288,7 @@ private:
     const Cell& first = m_complex.cells()[cells.cells.front().cell];
     face.is_extraordinary = (first.cap != NO_INDEX);
     face.patch = first.patch;
+    face.crease = (first.crease == NO_INDEX) ? Shell::null : first.crease;
     face.surface = face.is_extraordinary ? cap_surface(first, in_quads(breaks))
                  : first.crease != NO_INDEX ? crease_surface(first)
                  : merged_surface(cells, breaks, face.patch);

@@ -37,6 +37,7 @@ struct Extraction_settings
   int levels;            ///< of subdivision of the cells at extraordinary points
   double cap_tolerance;  ///< on the deviation of caps
   std::vector<Boundary_point> boundary_points; ///< where the boundary must have vertices
+  Caps_of_surface caps = {}; ///< empty functions if there are none
 };
 
 struct Extraction_result
@@ -172,7 +173,8 @@ bool cut_out_creases_and_caps(const Cell_complex& all, const Quad_neighbors& nei
     cut = all.cells();
   const Cell_complex complex(std::move(cut), neighbors);
   Cap_builder<Position> builder(complex, position,
-                                {settings.cap_tolerance, equality, settings.levels});
+                                {settings.cap_tolerance, equality, settings.levels,
+                                 settings.caps});
   caps = builder();
   cells = builder.cells(caps);
   return creases.empty() || fit_together(complex, Cell_complex(cells, neighbors));

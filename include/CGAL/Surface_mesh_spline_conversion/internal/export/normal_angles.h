@@ -120,7 +120,8 @@ std::vector<Eigen::Vector3d> normals_along_edge(const B_spline_surface_3<K>& sur
 /// angles between normals, in degrees
 struct Normal_angles
 {
-  Deviation_statistics statistics;
+  Deviation_statistics creases; ///< on lines above corners
+  Deviation_statistics others;
   std::vector<Eigen::Vector3d> violations; ///< the worst place of each edge with more than the bound
 };
 
@@ -132,7 +133,7 @@ Normal_angles normal_angles(const NURBS_shell_3<K>& shell, double bound)
   constexpr int INTERVALS_OF_A_SPAN = 8;
   std::vector<std::vector<Eigen::Vector3d> > first(shell.number_of_edges());
   Normal_angles result;
-  result.statistics.bound = bound;
+  result.creases.bound = result.others.bound = bound;
   for(std::size_t f = 0; f < shell.number_of_faces(); ++f)
   {
     const std::vector<Edge_on_face> places = places_of_edges(shell, f);
@@ -158,7 +159,7 @@ Normal_angles normal_angles(const NURBS_shell_3<K>& shell, double bound)
         const auto t = curve.first() + (curve.last() - curve.first()) * fractions[k];
         const Eigen::Vector3d p = to_eigen(curve.point(t));
         edge.add(angle, p);
-        result.statistics.add(angle, p);
+        (shell.is_crease(use.edge) ? result.creases : result.others).add(angle, p);
       }
       if(edge.maximum > bound)
         result.violations.push_back(edge.worst);

@@ -289,7 +289,9 @@ private:
     constexpr double share_of_worst = 0.8;
     const size_type number_of_patches = m_surface.number_of_patches();
     const std::vector<typename Surface::Patch_origin> patches = merge_pairs(m_surface);
+    const bool has_caps = m_surface.has_caps();
     m_surface = Surface(m_target.layout());
+    m_surface.set_caps(has_caps);
     m_surface.refine_to(patches);
     m_is_fitted = false;
     m_refinements = 0;

@@ -449,8 +449,7 @@ private:
   }
 
   // Finds how far the points of each patch, and of its neighbours, on which closest points may lie,
-  // have moved at most. `move(p)`: the largest move of a control point that acts on a patch, which
-  // no point of the patch exceeds
+  // have moved at most. `move(p)`: a bound of the moves of the points of a patch
   template <typename Move>
   void find_moves(const Move& move)
   {
@@ -469,7 +468,8 @@ private:
     }
   }
 
-  // returns the largest move of a control point that acts on a patch
+  // returns a bound of the moves of the points of a patch: the largest one of a control point that
+  // acts on it, unless there are negative functions
   double move(size_type patch, const std::vector<Eigen::Vector3d>& before) const
   {
     double result = 0;
@@ -478,7 +478,7 @@ private:
       const size_type c = m_samples.function(patch, i);
       result = (std::max)(result, (m_control_points[c] - before[c]).norm());
     }
-    return result;
+    return m_surface.basis_bound(patch) * result;
   }
 
   // returns the number of a sample of a known patch among the previous ones

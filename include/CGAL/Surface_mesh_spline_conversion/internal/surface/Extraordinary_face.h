@@ -201,6 +201,23 @@ public:
     rotate_derivatives(corner, result);
   }
 
+  // from derivatives with respect to the coordinates of the quarter to those of the face
+  static void rotate_derivatives(int corner, Basis_matrix& m)
+  {
+    m.middleRows(1, 2) *= 2;
+    m.bottomRows(3) *= 4;
+    if(corner == 1 || corner == 3)
+    {
+      m.row(1).swap(m.row(2));
+      m.row(3).swap(m.row(5));
+      m.row(4) *= -1;
+    }
+    if(corner == 1 || corner == 2)
+      m.row(1) *= -1;
+    if(corner == 2 || corner == 3)
+      m.row(2) *= -1;
+  }
+
 private:
   // the second derivatives have no limit at an extraordinary point; this distance is a compromise
   static constexpr double distance_of_second_derivatives = 1. / 64;
@@ -237,23 +254,6 @@ private:
           b(k, 4 * j + i) = factor * bs[i] * bt[j];
     }
     return b;
-  }
-
-  // from derivatives with respect to the coordinates of the quarter to those of the face
-  static void rotate_derivatives(int corner, Basis_matrix& m)
-  {
-    m.middleRows(1, 2) *= 2;
-    m.bottomRows(3) *= 4;
-    if(corner == 1 || corner == 3)
-    {
-      m.row(1).swap(m.row(2));
-      m.row(3).swap(m.row(5));
-      m.row(4) *= -1;
-    }
-    if(corner == 1 || corner == 2)
-      m.row(1) *= -1;
-    if(corner == 2 || corner == 3)
-      m.row(2) *= -1;
   }
 };
 

@@ -12,12 +12,15 @@
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
 #include <CGAL/Surface_mesh_spline_conversion/internal/surface/Bezier_extraction.h>
+#include <CGAL/Surface_mesh_spline_conversion/internal/surface/Cap_functions.h>
 #include <CGAL/Surface_mesh_spline_conversion/internal/surface/Extraordinary_face.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -42,6 +45,8 @@ template <typename Point>
 class Patch_basis
 {
   typedef T_mesh<Point> Mesh;
+  typedef typename Mesh::Vertex Vertex;
+  typedef typename Mesh::Halfedge Halfedge;
   typedef typename Mesh::Face Face;
 
 public:
@@ -72,6 +77,41 @@ public:
         m_patches.push_back(patch);
       }
     set_stamps(previous);
+    if(previous.m_has_caps)
+      add_caps(mesh, previous);
+  }
+
+  bool has_caps() const { return m_has_caps; }
+
+  // puts caps in the place of the limit of subdivision at extraordinary points, or takes them away
+  void set_caps(const Mesh& mesh, bool has_caps)
+  {
+    ++m_last_stamp;
+    m_has_caps = has_caps;
+    m_caps.clear();
+    for(std::size_t i = 0; i < m_patches.size(); ++i)
+      if(m_patches[i].extraordinary != no_index)
+        m_stamps[i] = m_last_stamp;
+    if(has_caps)
+      add_caps(mesh, Patch_basis());
+  }
+
+  // returns how many times the patch is halved to the square of the cap at one of its corners, or -1
+  // if there is none
+  int cap_level(std::size_t i, int corner) const
+  {
+    const Cap* cap = find_cap(m_patches[i], corner);
+    return cap == nullptr ? -1 : cap->level;
+  }
+
+  // returns a bound of the sum of the magnitudes of all functions on a patch
+  double bound(std::size_t i) const
+  {
+    double result = 1; // there are no negative ones elsewhere
+    for(int corner = 0; corner < 4; ++corner)
+      if(const Cap* cap = find_cap(m_patches[i], corner))
+        result = (std::max)(result, cap->functions->bound());
+    return result;
   }
 
   std::size_t number_of_patches() const { return m_patches.size(); }
@@ -121,6 +161,14 @@ public:
   template <typename Visitor>
   void evaluate(std::size_t i, double u, double v, int order, const Visitor& visit) const
   {
+    if(!evaluate_cap(m_patches[i], u, v, order, visit))
+      evaluate_limit(i, u, v, order, visit);
+  }
+
+  // does the same for the surface without caps
+  template <typename Visitor>
+  void evaluate_limit(std::size_t i, double u, double v, int order, const Visitor& visit) const
+  {
     const Patch& patch = m_patches[i];
     evaluate_regular(patch, u - patch.u0, v - patch.v0, order, visit);
     if(patch.extraordinary != no_index)
@@ -138,6 +186,23 @@ public:
   }
 
 private:
+  // the cap at a corner of a patch
+  struct Cap
+  {
+    int level = -1; // see cap_level()
+    int sector = 0;
+    std::shared_ptr<const Cap_functions> functions; // null if there is no cap
+  };
+
+  struct Patch_corner
+  {
+    std::size_t patch;
+    int corner;
+  };
+
+  // The square of a cap is not smaller than that: such a part of the sides of its patch.
+  static constexpr int maximum_cap_level = 6;
+
   static Patch patch_of_origin(std::size_t f, const Face_origin& origin)
   {
     return Patch{f, origin.quad, to_parameter(origin.first[0]), to_parameter(origin.first[1]),
@@ -154,6 +219,206 @@ private:
       m_stamps.push_back(i != no_index && has_functions(patch, previous, previous.m_patches[i])
                            ? previous.m_stamps[i] : m_last_stamp);
     }
+  }
+
+  // Caps are those of the previous basis where nothing round them has changed.
+  void add_caps(const Mesh& mesh, const Patch_basis& previous)
+  {
+    m_has_caps = true;
+    m_caps.resize(m_extraordinary_faces.size());
+    for(Vertex v : mesh.mesh().vertices())
+      if(mesh.is_extraordinary(v))
+        add_cap(mesh, corners_at(mesh, v), previous);
+  }
+
+  // the corners of patches at an extraordinary point, counter clockwise
+  std::vector<Patch_corner> corners_at(const Mesh& mesh, Vertex v) const
+  {
+    std::vector<Patch_corner> result;
+    const Halfedge first = mesh.opposite(mesh.mesh().halfedge(v));
+    Halfedge h = first;
+    do
+    {
+      result.push_back(Patch_corner{m_patch_of_face[mesh.face(h)], mesh.side(h)});
+      h = mesh.rotated(h);
+    }
+    while(h != first);
+    return result;
+  }
+
+  void add_cap(const Mesh& mesh, const std::vector<Patch_corner>& corners,
+               const Patch_basis& previous)
+  {
+    Cap cap;
+    cap.level = cap_level(mesh, corners);
+    const std::size_t i = previous.find(m_patches[corners.front().patch]);
+    const Cap* old = i == no_index || !previous.m_has_caps ? nullptr
+      : &previous.m_caps[previous.m_patches[i].extraordinary][std::size_t(corners.front().corner)];
+    bool is_new = old == nullptr || old->level != cap.level;
+    for(const Patch_corner& c : corners)
+      is_new = is_new || m_stamps[c.patch] == m_last_stamp;
+    cap.sector = is_new ? 0 : old->sector;
+    if(!is_new)
+      cap.functions = old->functions;
+    else if(cap.level <= maximum_cap_level)
+      cap.functions = make_cap(corners, cap.level);
+    for(const Patch_corner& c : corners)
+    {
+      m_caps[m_patches[c.patch].extraordinary][std::size_t(c.corner)] = cap;
+      cap.sector = (cap.sector + 1) % int(corners.size());
+      if(is_new)
+        m_stamps[c.patch] = m_last_stamp;
+    }
+  }
+
+  // The square of a cap lies in an element of each patch; the surface beside its outer sides is one
+  // polynomial along each of them, that belongs to no other cap.
+  int cap_level(const Mesh& mesh, const std::vector<Patch_corner>& corners) const
+  {
+    int result = 0;
+    for(const Patch_corner& c : corners)
+    {
+      const Patch& patch = m_patches[c.patch];
+      const Face f{typename Mesh::Mesh::size_type(patch.face)};
+      for(int i = 1; i < 4; ++i)
+        if(mesh.is_extraordinary(mesh.source(mesh.first_of_side(f, (c.corner + i) & 3))))
+          result = (std::max)(result, 2);
+      if(!has_single_neighbor(mesh, f, (c.corner + 1) & 3)
+         || !has_single_neighbor(mesh, f, (c.corner + 2) & 3))
+        result = (std::max)(result, 1);
+      while(result <= maximum_cap_level && is_cut(patch, c.corner, result))
+        ++result;
+    }
+    return result;
+  }
+
+  // is the square at a corner of a patch cut by elements?
+  bool is_cut(const Patch& patch, int corner, int level) const
+  {
+    const double size = patch.u1 - patch.u0, length = std::ldexp(size, -level);
+    for(std::size_t e = first_element(patch); e < last_element(patch); ++e)
+    {
+      const Regular_element& element = m_bezier.elements[e];
+      for(double u : {element.u0, element.u1})
+      {
+        const double distance = corner == 0 || corner == 3 ? u : size - u;
+        if(0 < distance && distance < length)
+          return true;
+      }
+      for(double v : {element.v0, element.v1})
+      {
+        const double distance = corner < 2 ? v : size - v;
+        if(0 < distance && distance < length)
+          return true;
+      }
+    }
+    return false;
+  }
+
+  bool has_single_neighbor(const Mesh& mesh, Face f, int side) const
+  {
+    const Halfedge inner = mesh.first_of_side(f, side), h = mesh.opposite(inner);
+    if(!mesh.is_corner(inner) || mesh.is_border(h) || !mesh.is_patch(mesh.face(h))
+       || mesh.is_extraordinary_face(mesh.face(h)))
+      return false;
+    const int axis = mesh.side(h) & 1;
+    const auto position = [&](Ticks x)
+      { return to_parameter(mesh.local_position(mesh.face(h), mesh.side(h), x)[std::size_t(axis)]); };
+    double begin = position(mesh.offset(h)), end = position(mesh.offset(h) + mesh.length(h));
+    if(begin > end)
+      std::swap(begin, end);
+    const Patch& patch = m_patches[m_patch_of_face[mesh.face(h)]];
+    for(std::size_t e = first_element(patch); e < last_element(patch); ++e)
+    {
+      const Regular_element& element = m_bezier.elements[e];
+      const double x = axis == 0 ? element.u0 : element.v0;
+      if(begin < x && x < end)
+        return false;
+    }
+    return true;
+  }
+
+  std::shared_ptr<const Cap_functions> make_cap(const std::vector<Patch_corner>& corners,
+                                                int level) const
+  {
+    std::vector<std::size_t> functions;
+    for(const Patch_corner& c : corners)
+    {
+      const std::vector<std::size_t>& points = extraordinary_face(m_patches[c.patch]).control_points;
+      functions.insert(functions.end(), points.begin(), points.end());
+      m_bezier.for_each_function(m_patches[c.patch].face, [&](const Element_function& f)
+        { functions.push_back(f.control_point); });
+    }
+    std::sort(functions.begin(), functions.end());
+    functions.erase(std::unique(functions.begin(), functions.end()), functions.end());
+    const auto evaluate = [&](int k, double x, double y)
+      { return values_in_square(corners[std::size_t(k)], level, x, y, functions); };
+    const int valence = int(corners.size());
+    const auto result = std::make_shared<const Cap_functions>(
+      functions, valence, cap_data(valence, Eigen::Index(functions.size()), evaluate));
+    return result->is_smooth() ? result : nullptr;
+  }
+
+  // returns the values of the functions of the surface without caps, and of their derivatives, in
+  // three rows; x begins at the corner, along the side that begins there
+  Eigen::MatrixXd values_in_square(const Patch_corner& c, int level, double x, double y,
+                                   const std::vector<std::size_t>& functions) const
+  {
+    constexpr int direction[4][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}}; // of the sides
+    const Patch& patch = m_patches[c.patch];
+    const double du = patch.u1 - patch.u0, dv = patch.v1 - patch.v0;
+    const double length = std::ldexp(1., -level);
+    const std::array<double, 2> at
+      = Extraordinary_face::to_face(c.corner, 2 * length * x, 2 * length * y);
+    Eigen::MatrixXd result = Eigen::MatrixXd::Zero(3, Eigen::Index(functions.size()));
+    evaluate_limit(c.patch, patch.u0 + at[0] * du, patch.v0 + at[1] * dv, 1,
+      [&](std::size_t point, const std::array<double, 6>& value)
+      {
+        const Eigen::Index column = Eigen::Index(
+          std::lower_bound(functions.begin(), functions.end(), point) - functions.begin());
+        result(0, column) += value[0];
+        for(int k = 0; k < 2; ++k)
+        {
+          const int* d = direction[(c.corner + k) & 3];
+          result(1 + k, column) += length * (d[0] * du * value[1] + d[1] * dv * value[2]);
+        }
+      });
+    return result;
+  }
+
+  // returns the cap at a corner of a patch, or a null pointer
+  const Cap* find_cap(const Patch& patch, int corner) const
+  {
+    if(!m_has_caps || patch.extraordinary == no_index)
+      return nullptr;
+    const Cap& cap = m_caps[patch.extraordinary][std::size_t(corner)];
+    return cap.functions == nullptr ? nullptr : &cap;
+  }
+
+  // evaluates the basis if the point lies on a cap
+  template <typename Visitor>
+  bool evaluate_cap(const Patch& patch, double u, double v, int order, const Visitor& visit) const
+  {
+    const double du = patch.u1 - patch.u0, dv = patch.v1 - patch.v0;
+    for(int corner = 0; corner < 4; ++corner)
+    {
+      const Cap* cap = find_cap(patch, corner);
+      if(cap == nullptr)
+        continue;
+      const std::array<double, 2> st
+        = Extraordinary_face::to_quarter(corner, (u - patch.u0) / du, (v - patch.v0) / dv);
+      const double scale = std::ldexp(1., cap->level - 1); // of quarters
+      if(scale * (std::max)(st[0], st[1]) > 1)
+        continue;
+      Basis_matrix values;
+      cap->functions->evaluate(cap->sector, scale * st[0], scale * st[1], order, values);
+      values.middleRows(1, 2) *= scale;
+      values.bottomRows(3) *= scale * scale;
+      Extraordinary_face::rotate_derivatives(corner, values);
+      visit_columns(values, cap->functions->control_points(), du, dv, visit);
+      return true;
+    }
+    return false;
   }
 
   // returns the patch on the same rectangle, or `no_index`
@@ -243,10 +508,19 @@ private:
     const double du = patch.u1 - patch.u0, dv = patch.v1 - patch.v0;
     Basis_matrix values;
     face.evaluate((u - patch.u0) / du, (v - patch.v0) / dv, order, values);
-    for(std::size_t i = 0; i < face.control_points.size(); ++i)
+    visit_columns(values, face.control_points, du, dv, visit);
+  }
+
+  // `values`: in the unit square
+  template <typename Visitor>
+  static void visit_columns(const Basis_matrix& values,
+                            const std::vector<std::size_t>& control_points, double du, double dv,
+                            const Visitor& visit)
+  {
+    for(std::size_t i = 0; i < control_points.size(); ++i)
     {
       const auto c = values.col(static_cast<Eigen::Index>(i));
-      visit(face.control_points[i], std::array<double, 6>{{c[0], c[1] / du, c[2] / dv,
+      visit(control_points[i], std::array<double, 6>{{c[0], c[1] / du, c[2] / dv,
         c[3] / (du * du), c[4] / (du * dv), c[5] / (dv * dv)}});
     }
   }
@@ -259,6 +533,8 @@ private:
   std::vector<std::vector<std::size_t> > m_patches_of_quad;
   Bezier_elements m_bezier;
   std::vector<Extraordinary_face> m_extraordinary_faces;
+  bool m_has_caps = false;
+  std::vector<std::array<Cap, 4> > m_caps; // at the corners of the extraordinary faces
 };
 
 } // namespace internal

@@ -6,8 +6,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-#ifndef CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_CAPS_CAP_OPERATOR_H
-#define CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_CAPS_CAP_OPERATOR_H
+#ifndef CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_SURFACE_CAP_OPERATOR_H
+#define CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_SURFACE_CAP_OPERATOR_H
 
 #include <CGAL/license/Surface_mesh_spline_conversion.h>
 
@@ -279,4 +279,4 @@ inline const Cap_operator& cap_operator(int valence, bool is_smooth)
 } // namespace Surface_mesh_spline_conversion
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_CAPS_CAP_OPERATOR_H
+#endif // CGAL_SURFACE_MESH_SPLINE_CONVERSION_INTERNAL_SURFACE_CAP_OPERATOR_H
