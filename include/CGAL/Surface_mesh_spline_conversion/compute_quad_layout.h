@@ -94,11 +94,11 @@ collapse, unless quads are nearly inverted or parts of the mesh squeezed then. W
 many quads, singularities of more than four quads that are closer to each other than a quad are then
 joined, to at most eight quads at one vertex; the layout with the fewest quads is kept, unless some
 are inverted. If there are at least fifty quads even then, single quads away from the boundary
-collapse as well: two opposite vertices of them meet. The work of all this is counted, and ends in proportion to the numbers of triangles and of
-wanted quads. What cannot fail comes last, if there is no map: the mesh is coarsened, a ring of
-quads is laid along each boundary loop, and each triangle in between is divided into three quads.
-Such a layout is valid, but has many extraordinary points; its corners are regular vertices even
-where the boundary is convex.
+collapse as well: two opposite vertices of them meet. The work of all this is counted, and ends in
+proportion to the numbers of triangles and of wanted quads. What cannot fail comes last, if there is
+no map: the mesh is coarsened, a ring of quads is laid along each boundary loop, and each triangle in
+between is divided into three quads. Such a layout is valid, but has many extraordinary points; its
+corners are regular vertices even where the boundary is convex.
 `Conversion_report::Map::fallback` says which of these was needed.
 
 \tparam TriangleMesh a model of `HalfedgeListGraph` and `FaceListGraph`

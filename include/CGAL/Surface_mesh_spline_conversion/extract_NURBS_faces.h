@@ -151,8 +151,9 @@ turns a T-NURCC surface into the faces of a boundary representation.
 Away from extraordinary points the surface is piecewise bicubic. Its pieces are merged to rectangles
 on which it is twice continuously differentiable; each becomes one bicubic B-spline face, exactly.
 At an extraordinary point of valence \f$ n \f$, \f$ n \f$ biquintic faces make a cap that joins its
-neighbors and itself with continuous tangent planes and approximates the surface, or is the surface if
-that has caps, see `T_NURCC_surface_3::set_caps()`. Adjacent faces share their edges; a face whose side has T-junctions has several edges there.
+neighbors and itself with continuous tangent planes. It approximates the surface, or is the surface if
+that has caps, see `T_NURCC_surface_3::set_caps()`. Adjacent faces share their edges; a face whose
+side has T-junctions has several edges there.
 
 \tparam K a model of `Kernel` with a floating point number type
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
