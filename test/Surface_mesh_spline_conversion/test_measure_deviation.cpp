@@ -196,6 +196,42 @@ void test_ridges_between_samples()
                        { return std::hypot(p.x() - 5.5, p.y() - y) < width / 2; }));
 }
 
+// A piece rounds a valley of the mesh, far from the vertices and the middles of the edges there. Its
+// samples, which are beside the ridge of the deviation, are smaller than those of many other pieces.
+void test_ridge_between_samples_of_piece()
+{
+  typedef SMSC::internal::Bezier_piece Piece;
+  const double slope = 0.6, height = 0.04, curvature = 4, size = 0.4;
+  const double largest = height / std::sqrt(1 + slope * slope), limit = 0.98 * largest;
+  const Mesh valley = graph_mesh<Mesh>(SIZE, 2, [=](double x, double)
+    { return slope * std::abs(x - SIZE / 2); });
+  Measurement plane; // lends its boundary
+  plane.mesh = graph_mesh<Mesh>(SIZE, 2, [](double, double) { return 0; });
+  plane.with_network([&](const Network& network)
+  {
+    const double x = -size * 5 / 16; // between the samples, from the valley on
+    Piece round = {{{2, 1}}, {}, 0};
+    for(double y : {6., 6. + size})
+      for(int i = 0; i <= 2; ++i)
+        round.points.emplace_back(SIZE / 2 + x + i * size / 2, y, height + curvature / 2
+                                  * (x + (i == 2 ? size : 0)) * (x + (i == 0 ? 0 : size)));
+    std::vector<Piece> pieces(1, round);
+    for(int k = 0; k < 30; ++k) // parallel to the mesh
+    {
+      Piece flat = {{{1, 1}}, {}, 0};
+      for(int j : {0, 1})
+        for(int i : {0, 1})
+          flat.points.emplace_back(7 + i * size, 0.3 * (k + j),
+                                   slope * (2 + i * size) + 0.7 * height);
+      pieces.push_back(flat);
+    }
+    const SMSC::internal::Mesh_distance distance(plane.mesh, valley.points(), network);
+    const SMSC::internal::Interior_deviation interior(pieces, distance, 0, limit, limit);
+    assert(interior.violations().size() == 1);
+    assert(is_close(interior.statistics().maximum, largest, 1e-3 * largest));
+  });
+}
+
 // A surface that changes in one of its faces: what is taken from the measurement before gives the
 // same as to measure everything.
 void test_change()
@@ -351,6 +387,7 @@ int main()
            < rounding);
   test_ridge();
   test_ridges_between_samples();
+  test_ridge_between_samples_of_piece();
   test_change();
   test_uneven_pieces();
   test_uneven_boundary();

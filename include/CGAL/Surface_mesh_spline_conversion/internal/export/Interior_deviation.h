@@ -240,9 +240,9 @@ private:
       note(climber.piece, climber.summit);
   }
 
-  // Climbs from the samples that come close to the limit. On a piece that is known to violate the
-  // limit, peaks are enough; elsewhere, a ridge between the samples may rise beside one that is no
-  // peak.
+  // Climbs from the samples that come close to the limit, and from peaks beside which the deviation
+  // may rise to it. On a piece that is known to violate the limit, peaks are enough; elsewhere, a
+  // ridge between the samples may rise beside one that is no peak.
   void climb_from_samples(const std::vector<std::size_t>& pieces,
                           std::vector<Piece_samples>& parts) const
   {
@@ -253,7 +253,8 @@ private:
       const std::vector<char> is_peak = peaks(parts[i]);
       const bool is_violation = parts[i].deviations[parts[i].largest()] > m_limit;
       for(std::size_t k = 0; k < is_peak.size(); ++k)
-        if(is_close_to_limit(parts[i].deviations[k]) && (is_peak[k] || !is_violation))
+        if(is_close_to_limit(parts[i].deviations[k])
+             ? is_peak[k] || !is_violation : is_peak[k] && may_rise_to_limit(pieces[i], parts[i], k))
         {
           climbers.push_back(climber_at(pieces[i], parts[i], k));
           part_of_climber.push_back(i);
@@ -265,6 +266,24 @@ private:
   }
 
   bool is_close_to_limit(double deviation) const { return deviation > CLOSE_TO_LIMIT * m_limit; }
+
+  // May the deviation rise to the limit where no other sample is closer? Along the surface it changes
+  // by the sine of the angle between the normals of surface and mesh.
+  bool may_rise_to_limit(std::size_t piece, const Piece_samples& part, std::size_t k) const
+  {
+    const Piece_sample sample = part.sample(k);
+    const Bezier_piece::Point_and_tangents d
+      = m_pieces[piece].point_and_tangents(sample.u, sample.v);
+    const double distance
+      = (std::max)(d[1].norm() / part.intervals[0], d[2].norm() / part.intervals[1]) / 2;
+    const double room = m_limit - part.deviations[k];
+    if(distance <= room)
+      return false;
+    std::size_t triangle = sample.triangle;
+    const Eigen::Vector3d normal = m_mesh.foot(d[0], triangle).normal;
+    const Eigen::Vector3d cross = d[1].cross(d[2]);
+    return distance * cross.cross(normal).norm() > room * cross.norm() * normal.norm();
+  }
 
   static Climber climber_at(std::size_t piece, const Piece_samples& part, std::size_t k)
   {
